@@ -1,0 +1,46 @@
+#pragma once
+
+#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/Shape.h>
+#include <seahex/world/CellBits.h>
+#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/ScanlineFill.h>
+
+#include <memory>
+#include <vector>
+
+namespace seahex
+{
+
+/// Fills an occupancy: any touch blocks.
+///
+/// A cell is blocked if the exact distance from a shape to the closed hexagon is <= the shape's radius; nothing is sampled
+/// and nothing is buffered by polygons (an approximated round buffer lies inside the true one). For doubles "exact" means a
+/// superset: a cell within 1e-9 times the largest coordinate beyond the radius may be blocked too (HexTraversal).
+///
+/// Time is linear in the shapes' segments, the cells along them, and the 64-bit words of their insides.
+class OccupancyBuilder
+{
+public:
+    explicit OccupancyBuilder(const HexLattice &lattice);
+
+    /// Blocks every cell within `radius` of the shape (points, lines, filled areas).
+    /// @param radius  >= 0, in the plane's unit
+    void block(const Shape &shape, double radius);
+
+    /// Blocks every cell that is not wholly inside the areas, or comes within `radius` of their boundary. The areas must
+    /// not overlap or share boundaries (unite them first): a seam between two of them would be blocked.
+    void blockOutside(const std::vector<Polygon> &areas, double radius);
+
+    /// The occupancy of what was blocked so far.
+    std::shared_ptr<const HexOccupancy> build() const;
+
+private:
+    void blockNear(const Point &a, const Point &b, double radius);
+
+    HexLattice lattice_;
+    CellBits bits_;
+    ScanlineFill fill_;
+};
+
+}  // namespace seahex

@@ -1,0 +1,61 @@
+#include "seahex/world/OccupancyBuilder.h"
+
+#include "seahex/geometry/HexTraversal.h"
+
+#include <algorithm>
+
+namespace seahex
+{
+
+OccupancyBuilder::OccupancyBuilder(const HexLattice &lattice)
+  : lattice_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
+{
+    bits_.setOutside();
+}
+
+void OccupancyBuilder::blockNear(const Point &a, const Point &b, double radius)
+{
+    const SegmentSpans spans(lattice_, a, b, radius);
+    const std::int64_t last = std::min(spans.lastRow(), lattice_.rows() - 1);
+    for (std::int64_t row = std::max<std::int64_t>(spans.firstRow(), 0); row <= last; ++row)
+    {
+        const RowSpan span = spans.span(row);
+        bits_.setSpan(row, span.firstColumn, span.lastColumn);
+    }
+}
+
+void OccupancyBuilder::block(const Shape &shape, double radius)
+{
+    for (const Point &point : shape.points)
+        blockNear(point, point, radius);
+    for (const LineString &line : shape.lines)
+        if (line.size() == 1)
+            blockNear(line.front(), line.front(), radius);
+    forEachSegment(shape, [this, radius](const Point &a, const Point &b) { blockNear(a, b, radius); });
+    for (const Polygon &area : shape.areas)
+        fill_.fill(area, bits_);
+}
+
+void OccupancyBuilder::blockOutside(const std::vector<Polygon> &areas, double radius)
+{
+    CellBits inside(bits_.layout());
+    for (const Polygon &area : areas)
+        fill_.fill(area, inside);
+    for (std::size_t i = 0; i < bits_.words().size(); ++i)
+        bits_.words()[i] |= ~inside.words()[i];
+    for (const Polygon &area : areas)
+    {
+        Shape edge;
+        edge.lines.emplace_back(area.outer().begin(), area.outer().end());
+        for (const Ring &hole : area.inners())
+            edge.lines.emplace_back(hole.begin(), hole.end());
+        block(edge, radius);
+    }
+}
+
+std::shared_ptr<const HexOccupancy> OccupancyBuilder::build() const
+{
+    return std::make_shared<const HexOccupancy>(lattice_, bits_.layout(), bits_.words());
+}
+
+}  // namespace seahex
