@@ -1,0 +1,206 @@
+#pragma once
+
+#include <seahex/geometry/CellLayout.h>
+#include <seahex/search/OpenList.h>
+#include <seahex/search/SearchCounters.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace seahex
+{
+
+enum class SearchStatus
+{
+    Found,      ///< the best path is known
+    Exhausted,  ///< every cell that can be reached was expanded and no goal was among them
+    Stopped     ///< told to stop; call run() again to go on
+};
+
+/// A* over any lattice [Hart1968].
+///
+/// The lattice is a class with these functions; cells are numbers below size():
+///
+///     std::size_t size() const
+///     bool expand(CellIndex cell, std::uint8_t arrivedBy, Relax relax)
+///         calls relax(successor, jump, cost) for every valid jump from the cell; jump < 255 names the way there;
+///         false if it was interrupted and wants to be called again for the same cell
+///     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const
+///     double bound(CellIndex cell) const       lower bound of the cost from the cell to a goal
+///     double tie(CellIndex cell, double bound) const   among cells of equal estimate the smallest is expanded first
+///     double finish(CellIndex cell) const      cost of ending in this cell; not better than worst() where it is no goal
+///     double combine(double, double) const, bool better(double, double) const, double worst() const
+///         the algebra of costs; for lengths: sum, less, infinity
+///     bool improves(double cost, double known) const   better by more than rounding
+///     double key(double estimate) const        the estimate, or a slightly better one that makes equal costs compare equal
+///
+/// Optimal if bound() never overestimates; where it is inconsistent, closed cells are reopened. Where it overestimates, the
+/// path is valid but may not be the best.
+///
+/// Memory: 9 bytes for each cell that was touched (untouched pages stay untouched) and 2 bits for each other. Time of
+/// reset() is that of clearing the bits.
+template <class Lattice>
+class AStar
+{
+public:
+    /// Does not own the lattice, which must outlive the search.
+    explicit AStar(Lattice &lattice)
+      : lattice_(lattice), open_(Before{&lattice}), cost_(new double[lattice.size()]),
+        arrivedBy_(new std::uint8_t[lattice.size()]), generated_((lattice.size() + 63) / 64),
+        closed_((lattice.size() + 63) / 64), bestCost_(lattice.worst())
+    {
+    }
+
+    /// A cell from which the path may begin, and what it costs to get there.
+    void addStart(CellIndex cell, double cost) { relax(cell, noJump, cost); }
+
+    /// Goes on until a best path is found, no cell is left, or stop() returns true. stop() is asked before the first
+    /// expansion and after every `pollInterval` of them.
+    template <class Stop>
+    SearchStatus run(Stop &&stop, std::uint64_t pollInterval)
+    {
+        std::uint64_t untilPoll = 0;
+        while (!open_.empty())
+        {
+            if (bestGoal_ && !lattice_.better(open_.top().key, bestCost_))
+                return SearchStatus::Found;
+            if (untilPoll-- == 0)
+            {
+                if (stop())
+                    return SearchStatus::Stopped;
+                untilPoll = pollInterval - 1;
+            }
+            const OpenEntry entry = open_.top();
+            open_.pop();
+            if (!testBit(closed_, entry.cell) && !expand(entry))
+                return SearchStatus::Stopped;
+        }
+        return bestGoal_ ? SearchStatus::Found : SearchStatus::Exhausted;
+    }
+
+    /// Cost of the best path so far, its finish included; worst() if there is none.
+    double cost() const { return bestCost_; }
+    bool hasPath() const { return bestGoal_.has_value(); }
+
+    /// The cells of the best path so far, from a start to a goal; empty if there is none.
+    std::vector<CellIndex> path() const
+    {
+        std::vector<CellIndex> cells;
+        if (!bestGoal_)
+            return cells;
+        CellIndex cell = *bestGoal_;
+        cells.push_back(cell);
+        for (; arrivedBy_[cell] != noJump; cells.push_back(cell))
+            cell = lattice_.predecessor(cell, arrivedBy_[cell]);
+        std::reverse(cells.begin(), cells.end());
+        return cells;
+    }
+
+    const SearchCounters &counters() const { return counters_; }
+
+    /// If given, every expanded cell is appended to the trace in the order of expansion.
+    void setTrace(std::vector<CellIndex> *trace) { trace_ = trace; }
+
+    /// Forgets everything but the lattice; keeps the memory.
+    void reset()
+    {
+        open_.clear();
+        std::fill(generated_.begin(), generated_.end(), 0);
+        std::fill(closed_.begin(), closed_.end(), 0);
+        bestGoal_.reset();
+        bestCost_ = lattice_.worst();
+        counters_ = {};
+    }
+
+private:
+    static constexpr std::uint8_t noJump = 255;
+
+    struct Before
+    {
+        const Lattice *lattice;
+        bool operator()(const OpenEntry &a, const OpenEntry &b) const
+        {
+            if (lattice->better(a.key, b.key))
+                return true;
+            return !lattice->better(b.key, a.key) && a.tie < b.tie;
+        }
+    };
+
+    static bool testBit(const std::vector<std::uint64_t> &bits, CellIndex i) { return (bits[i >> 6] >> (i & 63)) & 1; }
+    static void setBit(std::vector<std::uint64_t> &bits, CellIndex i) { bits[i >> 6] |= std::uint64_t{1} << (i & 63); }
+    static void clearBit(std::vector<std::uint64_t> &bits, CellIndex i)
+    {
+        bits[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
+    }
+
+    bool expand(const OpenEntry &entry)
+    {
+        const CellIndex cell = entry.cell;
+        const double cost = cost_[cell];
+        setBit(closed_, cell);
+        const bool finished = lattice_.expand(cell, arrivedBy_[cell],
+                                              [this, cost](CellIndex successor, std::uint8_t jump, double jumpCost)
+                                              { relax(successor, jump, lattice_.combine(cost, jumpCost)); });
+        if (!finished)
+        {
+            // what was relaxed already stays; the cell comes up again
+            clearBit(closed_, cell);
+            open_.push(entry);
+            return false;
+        }
+        ++counters_.expanded;
+        if (trace_ != nullptr)
+            trace_->push_back(cell);
+        const double finish = lattice_.finish(cell);
+        if (lattice_.better(finish, lattice_.worst()))
+        {
+            const double total = lattice_.combine(cost, finish);
+            if (!bestGoal_ || lattice_.better(total, bestCost_))
+            {
+                bestGoal_ = cell;
+                bestCost_ = total;
+            }
+        }
+        return true;
+    }
+
+    void relax(CellIndex cell, std::uint8_t jump, double cost)
+    {
+        if (testBit(generated_, cell))
+        {
+            if (!lattice_.improves(cost, cost_[cell]))
+                return;
+            ++counters_.improved;
+            if (testBit(closed_, cell))
+            {
+                ++counters_.reopened;
+                clearBit(closed_, cell);
+            }
+        }
+        else
+        {
+            setBit(generated_, cell);
+            ++counters_.generated;
+        }
+        cost_[cell] = cost;
+        arrivedBy_[cell] = jump;
+        const double bound = lattice_.bound(cell);
+        open_.push({lattice_.key(lattice_.combine(cost, bound)), lattice_.tie(cell, bound), cell});
+    }
+
+    Lattice &lattice_;
+    OpenList<Before> open_;
+    std::unique_ptr<double[]> cost_;
+    std::unique_ptr<std::uint8_t[]> arrivedBy_;
+    std::vector<std::uint64_t> generated_;
+    std::vector<std::uint64_t> closed_;
+    std::optional<CellIndex> bestGoal_;
+    double bestCost_;
+    SearchCounters counters_;
+    std::vector<CellIndex> *trace_ = nullptr;
+};
+
+}  // namespace seahex

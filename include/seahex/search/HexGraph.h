@@ -1,0 +1,63 @@
+#pragma once
+
+#include <seahex/search/GoalCells.h>
+#include <seahex/search/HexJumps.h>
+#include <seahex/world/HexOccupancy.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace seahex
+{
+
+/// The lattice of an occupancy as AStar wants it: a jump is valid if every cell it touches is free. What a jump costs is said
+/// by `Weight`, along with what GoalCells asks of it:
+///
+///     double jumpCost(CellIndex from, CellIndex to, std::size_t jump)
+///
+/// Nothing is virtual, and nothing is allocated during a search but for the growth of the open list.
+template <class Weight>
+class HexGraph : public GoalCells<Weight>
+{
+public:
+    /// Occupancy and jumps must outlive the graph.
+    HexGraph(const HexOccupancy &occupancy, const HexJumps &jumps, std::vector<GoalCell> goals, Weight weight)
+      : GoalCells<Weight>(occupancy.layout(), std::move(goals), std::move(weight)), jumps_(jumps),
+        bits_(occupancy.words().data())
+    {
+    }
+
+    template <class Relax>
+    bool expand(CellIndex cell, std::uint8_t, Relax &&relax)
+    {
+        const std::vector<Jump> &jumps = jumps_.from(jumps_.parity(cell));
+        const std::int32_t *touched = jumps_.touched();
+        for (std::size_t k = 0; k < jumps.size(); ++k)
+            if (isValid(cell, jumps[k], touched))
+            {
+                const auto successor = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps[k].delta);
+                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k));
+            }
+        return true;
+    }
+
+    CellIndex predecessor(CellIndex cell, std::uint8_t jump) const { return jumps_.predecessor(cell, jump); }
+
+private:
+    bool isValid(CellIndex cell, const Jump &jump, const std::int32_t *touched) const
+    {
+        for (std::uint16_t t = jump.firstTouch; t < jump.endTouch; ++t)
+        {
+            const auto index = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + touched[t]);
+            if ((bits_[index >> 6] >> (index & 63)) & 1)
+                return false;
+        }
+        return true;
+    }
+
+    const HexJumps &jumps_;
+    const std::uint64_t *bits_;
+};
+
+}  // namespace seahex
