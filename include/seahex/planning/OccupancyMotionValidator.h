@@ -1,0 +1,36 @@
+#pragma once
+
+#include <seahex/planning/PlanarEmbedding.h>
+#include <seahex/world/HexOccupancy.h>
+
+#include <ompl/base/MotionValidator.h>
+
+#include <memory>
+
+namespace seahex
+{
+
+/// A motion is valid if every closed cell that its straight line touches is free: exact, without a sampling resolution,
+/// symmetric, and for every planner alike. Const, thread-safe.
+class OccupancyMotionValidator : public ompl::base::MotionValidator
+{
+public:
+    /// @throws ompl::Exception if the space is not planar (PlanarEmbedding)
+    OccupancyMotionValidator(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const HexOccupancy> occupancy);
+
+    bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
+
+    /// If the motion is invalid, lastValid.second is the largest fraction of it that was found to be valid (lastFree), and
+    /// lastValid.first, if not null, the state there; the motion from s1 to that state is itself valid. 0 and s1 where s1
+    /// is invalid.
+    bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
+                     std::pair<ompl::base::State *, double> &lastValid) const override;
+
+    const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
+
+private:
+    PlanarEmbedding embedding_;
+    std::shared_ptr<const HexOccupancy> occupancy_;
+};
+
+}  // namespace seahex

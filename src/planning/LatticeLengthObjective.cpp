@@ -1,0 +1,33 @@
+#include "seahex/planning/LatticeLengthObjective.h"
+
+#include "seahex/geometry/HexNorm.h"
+
+#include <ompl/base/SpaceInformation.h>
+
+namespace ob = ompl::base;
+
+namespace seahex
+{
+
+LatticeLengthObjective::LatticeLengthObjective(const ob::SpaceInformationPtr &si, const HexLattice &lattice)
+  : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), lattice_(lattice)
+{
+    description_ = "Lattice length";
+}
+
+ob::Cost LatticeLengthObjective::stateCost(const ob::State *) const
+{
+    return identityCost();
+}
+
+ob::Cost LatticeLengthObjective::motionCost(const ob::State *s1, const ob::State *s2) const
+{
+    return ob::Cost(hexNorm(embedding_.position(s2) - embedding_.position(s1), lattice_));
+}
+
+ob::Cost LatticeLengthObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const
+{
+    return motionCost(s1, s2);
+}
+
+}  // namespace seahex

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "seahex/planning/PlanarEmbedding.h"
+#include "seahex/search/HexJumps.h"
+
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <cmath>
+#include <vector>
+
+namespace seahex
+{
+
+/// Asks a user's SpaceInformation which cells and jumps of a lattice are valid: lazily, each cell and each jump once, and
+/// with a look at the termination condition after every 16 questions, because an answer may take long.
+///
+/// In SE(2) a state's yaw is the course of the leg that led to it, so a motion depends on the leg before it: motions are
+/// then asked for whenever a cell is expanded, and only those that were found wanting afterwards are remembered.
+class MotionCache
+{
+public:
+    enum class Answer
+    {
+        Valid,
+        Invalid,
+        Interrupted
+    };
+
+    MotionCache(const ompl::base::SpaceInformationPtr &si, const PlanarEmbedding &embedding, const HexLattice &lattice,
+                const CellLayout &layout, const HexJumps &jumps)
+      : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps), bounds_(embedding.bounds()),
+        cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown), from_(si), to_(si)
+    {
+    }
+
+    /// The condition to look at from now on; must outlive the questions.
+    void watch(const ompl::base::PlannerTerminationCondition &condition) { condition_ = &condition; }
+
+    /// True if the cell's centre lies in the space's bounds and is a valid state (whatever its yaw, where there is one).
+    bool isCellUsable(CellIndex cell)
+    {
+        const OffsetCoord o = layout_.offset(cell);
+        if (o.row < 0 || o.row >= layout_.rows() || o.column < 0 || o.column >= layout_.columns())
+            return false;
+        const Point centre = lattice_.centre(toCube(o));
+        if (!bounds_.contains(centre))
+            return false;
+        if (embedding_.hasHeading())
+            return true;
+        if (cells_[cell] == unknown)
+        {
+            embedding_.place(to_.get(), centre);
+            cells_[cell] = ask(si_->isValid(to_.get())) ? valid : invalid;
+        }
+        return cells_[cell] == valid;
+    }
+
+    /// Is the jump from a cell's centre to its successor's valid? `heading` is the yaw at the cell.
+    Answer jump(CellIndex from, CellIndex to, std::size_t jump, double heading)
+    {
+        std::uint8_t &known = motions_[from * jumps_.size() + jump];
+        if (known == unknown)
+        {
+            if (interrupted())
+                return Answer::Interrupted;
+            const bool isValid = isCellUsable(to) && motion(lattice_.centre(layout_.cell(from)), heading,
+                                                            lattice_.centre(layout_.cell(to)));
+            if (embedding_.hasHeading())
+                return isValid ? Answer::Valid : Answer::Invalid;
+            known = isValid ? valid : invalid;
+            if (isCellInside(to))
+                motions_[to * jumps_.size() + jumps_.opposite(jump)] = known;
+        }
+        return known == valid ? Answer::Valid : Answer::Invalid;
+    }
+
+    /// Declares a jump invalid for good.
+    void forbid(CellIndex from, std::size_t jump) { motions_[from * jumps_.size() + jump] = invalid; }
+
+    /// A look at the condition if 13 questions were asked since the last one: with the three of one jump, 16 at most.
+    bool interrupted()
+    {
+        if (questions_ >= 13 && condition_ != nullptr)
+        {
+            questions_ = 0;
+            interrupted_ = (*condition_)();
+        }
+        return interrupted_;
+    }
+
+    void resume() { interrupted_ = false; }
+
+private:
+    static constexpr std::uint8_t unknown = 0;
+    static constexpr std::uint8_t valid = 1;
+    static constexpr std::uint8_t invalid = 2;
+
+    bool ask(bool answer)
+    {
+        ++questions_;
+        return answer;
+    }
+
+    bool isCellInside(CellIndex cell) const
+    {
+        const OffsetCoord o = layout_.offset(cell);
+        return o.row >= 0 && o.row < layout_.rows() && o.column >= 0 && o.column < layout_.columns();
+    }
+
+    bool motion(const Point &a, double heading, const Point &b)
+    {
+        embedding_.place(from_.get(), a, heading);
+        embedding_.place(to_.get(), b, std::atan2(b.y() - a.y(), b.x() - a.x()));
+        return (!embedding_.hasHeading() || ask(si_->isValid(to_.get()))) &&
+               ask(si_->checkMotion(from_.get(), to_.get()));
+    }
+
+    ompl::base::SpaceInformationPtr si_;
+    PlanarEmbedding embedding_;
+    HexLattice lattice_;
+    CellLayout layout_;
+    const HexJumps &jumps_;
+    Box bounds_;
+    std::vector<std::uint8_t> cells_;
+    std::vector<std::uint8_t> motions_;
+    ompl::base::ScopedState<> from_;
+    ompl::base::ScopedState<> to_;
+    const ompl::base::PlannerTerminationCondition *condition_ = nullptr;
+    unsigned int questions_ = 0;
+    bool interrupted_ = false;
+};
+
+}  // namespace seahex

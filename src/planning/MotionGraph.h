@@ -1,0 +1,60 @@
+#pragma once
+
+#include "planning/MotionCache.h"
+#include "seahex/search/GoalCells.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace seahex
+{
+
+/// The lattice of a user's own checker and motion validator as AStar wants it (compare HexGraph): a jump is valid if
+/// SpaceInformation::checkMotion says so, asked lazily.
+template <class Weight>
+class MotionGraph : public GoalCells<Weight>
+{
+public:
+    /// @param headings  the yaw with which each start cell is reached
+    /// Cache and jumps must outlive the graph.
+    MotionGraph(MotionCache &cache, const HexLattice &lattice, const CellLayout &layout, const HexJumps &jumps,
+                std::map<CellIndex, double> headings, std::vector<GoalCell> goals, Weight weight)
+      : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
+        startHeadings_(std::move(headings))
+    {
+        for (std::size_t k = 0; k < jumps_.size(); ++k)
+        {
+            const Point d = lattice.centre(jumps_.offset(k).offset) - lattice.centre({0, 0});
+            courses_.push_back(std::atan2(d.y(), d.x()));
+        }
+    }
+
+    template <class Relax>
+    bool expand(CellIndex cell, std::uint8_t arrivedBy, Relax &&relax)
+    {
+        const double heading = arrivedBy < jumps_.size() ? courses_[arrivedBy] : startHeadings_.at(cell);
+        const std::vector<Jump> &jumps = jumps_.from(jumps_.parity(cell));
+        for (std::size_t k = 0; k < jumps.size(); ++k)
+        {
+            const auto successor = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps[k].delta);
+            const MotionCache::Answer answer = cache_.jump(cell, successor, k, heading);
+            if (answer == MotionCache::Answer::Interrupted)
+                return false;
+            if (answer == MotionCache::Answer::Valid)
+                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k));
+        }
+        return true;
+    }
+
+    CellIndex predecessor(CellIndex cell, std::uint8_t jump) const { return jumps_.predecessor(cell, jump); }
+
+private:
+    MotionCache &cache_;
+    const HexJumps &jumps_;
+    std::map<CellIndex, double> startHeadings_;
+    std::vector<double> courses_;
+};
+
+}  // namespace seahex

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "seahex/planning/PlanarEmbedding.h"
+#include "seahex/search/Guidance.h"
+#include "seahex/search/GoalCells.h"
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/ScopedState.h>
+#include <ompl/base/SpaceInformation.h>
+
+#include <cmath>
+#include <memory>
+
+namespace seahex
+{
+
+/// Any OMPL objective as the weight of a lattice graph: its own motion costs between cell centres, its own algebra, its own
+/// heuristic. Copies share their working states, so one weight serves one search at a time.
+class ObjectiveWeight
+{
+public:
+    ObjectiveWeight(const ompl::base::SpaceInformationPtr &si, const ompl::base::OptimizationObjective &objective,
+                    const PlanarEmbedding &embedding, const HexLattice &lattice, const CellLayout &layout,
+                    Guidance guidance, const Point &start, const Point &goal)
+      : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
+        start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
+        to_(std::make_shared<ompl::base::ScopedState<>>(si))
+    {
+    }
+
+    double combine(double a, double b) const { return objective_.combineCosts(Cost(a), Cost(b)).value(); }
+    bool better(double a, double b) const { return objective_.isCostBetterThan(Cost(a), Cost(b)); }
+    bool improves(double cost, double known) const { return better(cost, known); }
+    double worst() const { return objective_.infiniteCost().value(); }
+    static double key(double estimate) { return estimate; }
+
+    double jumpCost(CellIndex from, CellIndex to, std::size_t)
+    {
+        const Point a = lattice_.centre(layout_.cell(from));
+        const Point b = lattice_.centre(layout_.cell(to));
+        const double heading = std::atan2(b.y() - a.y(), b.x() - a.x());
+        embedding_.place(from_->get(), a, heading);
+        embedding_.place(to_->get(), b, heading);
+        return objective_.motionCost(from_->get(), to_->get()).value();
+    }
+
+    /// The objective's heuristic between the two centres. Where states have a yaw it may count turns that the search does
+    /// not charge, so nothing is assumed there.
+    double bound(HexCoord cell, const GoalCell &goal) const
+    {
+        if (guidance_ == Guidance::None || embedding_.hasHeading())
+            return objective_.identityCost().value();
+        embedding_.place(from_->get(), lattice_.centre(cell));
+        embedding_.place(to_->get(), lattice_.centre(goal.cell));
+        return combine(objective_.motionCostHeuristic(from_->get(), to_->get()).value(), goal.finish);
+    }
+
+    double tie(HexCoord cell, double) const
+    {
+        const Point centre = lattice_.centre(cell);
+        return guidance_ == Guidance::TieBreak ? distanceFromLine(start_, goal_, centre) : (goal_ - centre).norm();
+    }
+
+private:
+    using Cost = ompl::base::Cost;
+
+    const ompl::base::OptimizationObjective &objective_;
+    PlanarEmbedding embedding_;
+    HexLattice lattice_;
+    CellLayout layout_;
+    Guidance guidance_;
+    Point start_;
+    Point goal_;
+    std::shared_ptr<ompl::base::ScopedState<>> from_;
+    std::shared_ptr<ompl::base::ScopedState<>> to_;
+};
+
+}  // namespace seahex

@@ -1,0 +1,60 @@
+#include "seahex/planning/PlanarEmbedding.h"
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Exception.h>
+
+#include <typeinfo>
+
+namespace ob = ompl::base;
+
+namespace seahex
+{
+
+PlanarEmbedding::PlanarEmbedding(const ob::StateSpace *space)
+  : space_(space), hasHeading_(space != nullptr && typeid(*space) == typeid(ob::SE2StateSpace))
+{
+    const auto *plane = dynamic_cast<const ob::RealVectorStateSpace *>(space);
+    if (!hasHeading_ && (plane == nullptr || plane->getDimension() != 2))
+        throw ompl::Exception("seahex", "the space '" + (space == nullptr ? std::string("null") : space->getName()) +
+                                            "' is neither R^2 nor SE(2): its states have no place on a lattice");
+}
+
+Point PlanarEmbedding::position(const ob::State *state) const
+{
+    if (hasHeading_)
+    {
+        const auto *pose = state->as<ob::SE2StateSpace::StateType>();
+        return {pose->getX(), pose->getY()};
+    }
+    const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    return {values[0], values[1]};
+}
+
+void PlanarEmbedding::place(ob::State *state, const Point &position, double heading) const
+{
+    if (hasHeading_)
+    {
+        auto *pose = state->as<ob::SE2StateSpace::StateType>();
+        pose->setXY(position.x(), position.y());
+        pose->setYaw(heading);
+        return;
+    }
+    double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    values[0] = position.x();
+    values[1] = position.y();
+}
+
+Box PlanarEmbedding::bounds() const
+{
+    const ob::RealVectorBounds &b = hasHeading_ ? space_->as<ob::SE2StateSpace>()->getBounds()
+                                                : space_->as<ob::RealVectorStateSpace>()->getBounds();
+    return {Point(b.low[0], b.low[1]), Point(b.high[0], b.high[1])};
+}
+
+double PlanarEmbedding::lengthWeight() const
+{
+    return hasHeading_ ? space_->as<ob::SE2StateSpace>()->getSubspaceWeight(0) : 1.0;
+}
+
+}  // namespace seahex
