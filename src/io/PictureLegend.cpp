@@ -1,0 +1,208 @@
+#include "PictureLegend.h"
+
+#include "CellOutline.h"
+#include "PictureMap.h"
+
+#include "seahex/io/ScaleBar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+namespace seahex
+{
+
+namespace
+{
+
+constexpr double left = 116.0;
+constexpr double right = 1556.0;
+constexpr double scaleBarWidth = 300.0;
+constexpr double legendLeft = 500.0;
+constexpr double entryWidth = 268.0;
+constexpr double entryHeight = 34.0;
+constexpr std::size_t entriesAcross = 4;
+constexpr double swatchWidth = 34.0;
+constexpr double wideSwatchWidth = 150.0;  // takes the room of two entries
+
+const TextStyle small{14.0, false, false, 0.0, palette::ink};
+
+TextStyle aligned(TextStyle style, double align)
+{
+    style.align = align;
+    return style;
+}
+
+// 12345 -> "12,345"
+std::string grouped(std::size_t number)
+{
+    std::string text = std::to_string(number);
+    for (std::size_t at = text.size(); at > 3; at -= 3)
+        text.insert(at - 3, ",");
+    return text;
+}
+
+void drawScaleBar(PictureCanvas &canvas, double top, const ScaleBar &bar)
+{
+    const double from = canvas.units(left);
+    const double whole = bar.lengthM / canvas.frame().metresPerPx;
+    const double height = canvas.units(6.0);
+    const double part = whole / bar.parts;
+    for (int i = 0; i < bar.parts; i += 2)
+        canvas.rectangle({{from + i * part, top}, {from + (i + 1) * part, top + height}});
+    canvas.fill(palette::ink);
+    cairo_new_path(canvas.cairo());
+    canvas.rectangle({{from, top}, {from + whole, top + height}});
+    canvas.stroke(palette::ink, 1.0);
+    const double baseline = top - canvas.units(5.0);
+    canvas.text({from, baseline}, "0", aligned(small, 0.5));
+    canvas.text({from + whole, baseline}, plainNumber(bar.length, 9), aligned(small, 0.5));
+    canvas.text({from + whole + canvas.units(9.0), top + canvas.units(8.0)}, bar.unit, small);
+}
+
+void drawScaleBars(PictureCanvas &canvas)
+{
+    const PictureFrame &frame = canvas.frame();
+    const double availableM =
+        std::min(canvas.units(scaleBarWidth), frame.map.max.x() - frame.map.min.x()) * frame.metresPerPx;
+    drawScaleBar(canvas, frame.legendTop + canvas.units(30.0), metricScaleBar(availableM));
+    drawScaleBar(canvas, frame.legendTop + canvas.units(72.0), nauticalScaleBar(availableM));
+}
+
+// One place in the legend: a sample is drawn into the box, the text stands right of it.
+struct Entry
+{
+    std::string text;
+    std::function<void(PictureCanvas &, const Box &)> draw;
+    double swatch = swatchWidth;
+};
+
+Entry areaEntry(const std::string &text, const Colour &colour, const Colour &edge)
+{
+    return {text, [colour, edge](PictureCanvas &canvas, const Box &box)
+            {
+                canvas.rectangle(box);
+                canvas.fill(colour);
+                canvas.stroke(edge, 1.0);
+            }};
+}
+
+Entry lineEntry(const std::string &text, void (*strokeLine)(PictureCanvas &))
+{
+    return {text, [strokeLine](PictureCanvas &canvas, const Box &box)
+            {
+                const double y = 0.5 * (box.min.y() + box.max.y());
+                cairo_move_to(canvas.cairo(), box.min.x(), y);
+                cairo_line_to(canvas.cairo(), box.max.x(), y);
+                strokeLine(canvas);
+            }};
+}
+
+// Two cells, one over deep water and one over what may lie below it.
+void drawSampleCells(PictureCanvas &canvas, const Box &box, const Colour &second)
+{
+    const HexLattice sample({0.0, 0.0}, 1.0, 2, 1);
+    const double pitch = (box.max.x() - box.min.x()) / 2.5;
+    for (std::int64_t column = 0; column < 2; ++column)
+    {
+        for (const CellCorner corner : cornersOf({column, 0}))
+        {
+            const Point p = pitch * toPlane(sample, corner);
+            cairo_line_to(canvas.cairo(), box.min.x() + p.x() - 0.25 * pitch, box.min.y() - p.y());
+        }
+        cairo_close_path(canvas.cairo());
+        canvas.fill(blend(column == 0 ? palette::water : second, palette::blocked, palette::blockedOpacity));
+        canvas.stroke(palette::blocked, 0.8, palette::blockedEdgeOpacity);
+    }
+}
+
+void drawSampleDanger(PictureCanvas &canvas, const Box &box)
+{
+    addDangerCross(canvas, 0.5 * (box.min + box.max));
+    strokeDangers(canvas, false);
+}
+
+void drawColourScale(PictureCanvas &canvas, const Box &box)
+{
+    cairo_pattern_t *gradient = cairo_pattern_create_linear(box.min.x(), 0.0, box.max.x(), 0.0);
+    constexpr int stops = 16;
+    for (int i = 0; i <= stops; ++i)
+    {
+        const double at = static_cast<double>(i) / stops;
+        const Colour colour = expansionColour(at);
+        cairo_pattern_add_color_stop_rgb(gradient, at, colour.red, colour.green, colour.blue);
+    }
+    canvas.rectangle(box);
+    cairo_set_source(canvas.cairo(), gradient);
+    cairo_fill_preserve(canvas.cairo());
+    cairo_pattern_destroy(gradient);
+    canvas.stroke(palette::ink, 0.8);
+}
+
+std::vector<Entry> entriesFor(const PictureContent &content)
+{
+    std::vector<Entry> entries;
+    if (content.route.size() > 1)
+        entries.push_back(lineEntry("route", strokeRoute));
+    if (content.rawPath.size() > 1)
+        entries.push_back(lineEntry("path before smoothing", strokeRawPath));
+    if (!content.land.empty())
+        entries.push_back(areaEntry("land", palette::land, palette::landEdge));
+    if (!content.shoals.empty())
+        entries.push_back(areaEntry("too shallow", palette::shoal, palette::shoalEdge));
+    const Colour below = content.shoals.empty() ? palette::water : palette::shoal;
+    entries.push_back({"blocked cells", [below](PictureCanvas &canvas, const Box &box)
+                       {
+                           drawSampleCells(canvas, box, below);
+                       }});
+    if (!content.dangers.empty())
+        entries.push_back({"other hazards", drawSampleDanger});
+    if (!content.expanded.empty())
+        entries.push_back(
+            {"first to last of " + grouped(content.expanded.size()) + " expansions", drawColourScale, wideSwatchWidth});
+    return entries;
+}
+
+}  // namespace
+
+void drawTitle(PictureCanvas &canvas, const PictureContent &content)
+{
+    std::istringstream lines(content.title);
+    std::string line;
+    double baseline = 26.0 + 24.0;
+    for (bool first = true; std::getline(lines, line); first = false)
+    {
+        TextStyle style{first ? 27.0 : 18.0, first, false, 0.0, palette::ink};
+        const double width = canvas.textWidth(line, style);
+        if (width > canvas.units(right - left))
+            style.size *= canvas.units(right - left) / width;
+        canvas.text({canvas.units(left), canvas.units(baseline)}, line, style);
+        baseline += first ? 29.0 : 25.0;
+    }
+}
+
+void drawLegend(PictureCanvas &canvas, const PictureContent &content)
+{
+    const PictureFrame &frame = canvas.frame();
+    drawScaleBars(canvas);
+    const std::vector<Entry> entries = entriesFor(content);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+    {
+        const bool wide = entries[i].swatch > swatchWidth;
+        const std::size_t place = wide && i % entriesAcross == entriesAcross - 1 ? i + 1 : i;
+        const std::size_t column = place % entriesAcross;
+        const std::size_t row = place / entriesAcross;
+        const Point corner{canvas.units(legendLeft + static_cast<double>(column) * entryWidth),
+                           frame.legendTop + canvas.units(18.0 + static_cast<double>(row) * entryHeight)};
+        const Point size{canvas.units(entries[i].swatch), canvas.units(18.0)};
+        entries[i].draw(canvas, {corner, corner + size});
+        canvas.text({corner.x() + size.x() + canvas.units(10.0), corner.y() + canvas.units(14.0)}, entries[i].text,
+                    small);
+    }
+    if (!content.footer.empty())
+        canvas.text({canvas.units(left), frame.heightPx - canvas.units(18.0)}, content.footer,
+                    {14.0, false, true, 0.0, palette::ink});
+}
+
+}  // namespace seahex
