@@ -19,10 +19,20 @@ double distanceToSegment(const Point &p, const Point &a, const Point &b)
     return (p - a - t * d).norm();
 }
 
+/// A whole number as an integer; numbers beyond 2^60, and what is none, become +-2^60, so that sums of coordinates
+/// hold.
+std::int64_t toCoordinate(double number)
+{
+    constexpr std::int64_t limit = std::int64_t{1} << 60;
+    if (!(number > -static_cast<double>(limit)))
+        return -limit;
+    return number < static_cast<double>(limit) ? static_cast<std::int64_t>(number) : limit;
+}
+
 }  // namespace
 
 HexLattice::HexLattice(const Point &northWest, double pitch, std::int64_t columns, std::int64_t rows)
-  : northWest_(northWest), pitch_(pitch), side_(pitch / root3), columns_(columns), rows_(rows)
+    : northWest_(northWest), pitch_(pitch), side_(pitch / root3), columns_(columns), rows_(rows)
 {
     if (!std::isfinite(pitch) || pitch <= 0.0)
         throw std::domain_error("pitch must be positive, not " + std::to_string(pitch));
@@ -76,7 +86,7 @@ HexCoord HexLattice::cellAt(const Point &p) const
         qRounded = -rRounded - sRounded;
     else if (sError > rError)
         sRounded = -qRounded - rRounded;
-    return {static_cast<std::int64_t>(qRounded), static_cast<std::int64_t>(sRounded)};
+    return {toCoordinate(qRounded), toCoordinate(sRounded)};
 }
 
 std::array<Point, 6> HexLattice::corners(HexCoord cell) const

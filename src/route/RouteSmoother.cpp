@@ -16,6 +16,7 @@ using Points = std::vector<Point>;
 constexpr int mostRounds = 12;
 constexpr double mostPieces = 400.0;
 constexpr double leastGain = 1e-5;
+constexpr double rounding = 1e-12;
 
 /// From each waypoint on to the farthest one that can be seen: doubling strides, then halving them. Sight is not monotone,
 /// so this may stop short of the very farthest; the next round looks from other points.
@@ -87,7 +88,8 @@ Route pullString(const Route &route, const SegmentPredicate &isValid, double spa
         if (gain < leastGain * length)
             break;
     }
-    return length <= route.length() ? Route(std::move(best)) : route;
+    // a chord is never longer than what it replaces, but for the rounding of the sums
+    return length <= route.length() * (1.0 + rounding) ? Route(std::move(best)) : route;
 }
 
 Route pullString(const Route &route, const HexOccupancy &occupancy)

@@ -2,8 +2,10 @@
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -39,12 +41,35 @@ double pointToSegment(const Point &p, const Segment &s)
     return (p - s.first - t * d).norm();
 }
 
+double side(const Segment &s, const Point &p)
+{
+    const Point d = s.second - s.first;
+    const Point e = p - s.first;
+    return d.x() * e.y() - d.y() * e.x();
+}
+
+bool strictlyApart(double a, double b)
+{
+    return (a > 0.0 && b > 0.0) || (a < 0.0 && b < 0.0);
+}
+
+/// Exact up to rounding. Segments that merely touch may count as crossing or as 1e-16 of their size apart.
 double segmentToSegment(const Segment &a, const Segment &b)
 {
-    if (bg::intersects(a, b))
-        return 0.0;
-    return std::min({pointToSegment(a.first, b), pointToSegment(a.second, b), pointToSegment(b.first, a),
-                     pointToSegment(b.second, a)});
+    const double ends = std::min({pointToSegment(a.first, b), pointToSegment(a.second, b), pointToSegment(b.first, a),
+                                  pointToSegment(b.second, a)});
+    if (ends == 0.0 || strictlyApart(side(a, b.first), side(a, b.second)) ||
+        strictlyApart(side(b, a.first), side(b, a.second)))
+        return ends;
+    // Neither has both ends on one side of the other: they cross, or lie on one line, where the ends tell.
+    const bool collinear = side(a, b.first) == 0.0 && side(a, b.second) == 0.0;
+    return collinear ? ends : 0.0;
+}
+
+BoundingBox boxAround(const Segment &segment, double reach)
+{
+    const Point d(reach, reach);
+    return BoundingBox(segment.first.cwiseMin(segment.second) - d, segment.first.cwiseMax(segment.second) + d);
 }
 
 }  // namespace
@@ -74,31 +99,30 @@ public:
 
     Near nearest(const Segment &segment) const
     {
-        Near best{nullptr, std::numeric_limits<double>::infinity()};
         if (const Hazard *inside = areaAround(segment.first))
             return {inside, 0.0};
-        // Boxes come in the order of their distance, which is not more than that of what they hold.
-        for (auto it = pieceTree_.qbegin(bgi::nearest(segment, pieceTree_.size())); it != pieceTree_.qend(); ++it)
+        // The pieces with the nearest boxes bound the distance; whatever is nearer has its box within that bound.
+        Near best{nullptr, std::numeric_limits<double>::infinity()};
+        const auto offer = [&](const Entry &entry)
         {
-            if (bg::distance(segment, it->first) > best.distance)
-                break;
-            const Piece &piece = pieces_[it->second];
+            const Piece &piece = pieces_[entry.second];
             const double distance = segmentToSegment(segment, piece.segment);
             if (distance < best.distance)
                 best = {piece.hazard, distance};
-            if (distance == 0.0)
-                break;
-        }
+        };
+        std::vector<Entry> seeds;
+        pieceTree_.query(bgi::nearest(segment, 4), std::back_inserter(seeds));
+        std::for_each(seeds.begin(), seeds.end(), offer);
+        if (best.hazard != nullptr && best.distance > 0.0)
+            pieceTree_.query(bgi::intersects(boxAround(segment, best.distance)),
+                             boost::make_function_output_iterator(offer));
         return best;
     }
 
     std::vector<Near> within(const Segment &segment, double distance) const
     {
         std::map<const Hazard *, double> found;
-        BoundingBox box = bg::return_envelope<BoundingBox>(segment);
-        const Point reach(distance, distance);
-        box = BoundingBox(box.min_corner() - reach, box.max_corner() + reach);
-        for (auto it = pieceTree_.qbegin(bgi::intersects(box)); it != pieceTree_.qend(); ++it)
+        for (auto it = pieceTree_.qbegin(bgi::intersects(boxAround(segment, distance))); it != pieceTree_.qend(); ++it)
         {
             const Piece &piece = pieces_[it->second];
             const double d = segmentToSegment(segment, piece.segment);
@@ -123,7 +147,7 @@ private:
     void addPiece(const Point &a, const Point &b, const Hazard &hazard)
     {
         pieces_.push_back({Segment(a, b), &hazard});
-        pieceBoxes_.emplace_back(bg::return_envelope<BoundingBox>(pieces_.back().segment), pieces_.size() - 1);
+        pieceBoxes_.emplace_back(boxAround(pieces_.back().segment, 0.0), pieces_.size() - 1);
     }
 
     const Hazard *areaAround(const Point &p) const

@@ -8,7 +8,7 @@ namespace seahex
 {
 
 OccupancyBuilder::OccupancyBuilder(const HexLattice &lattice)
-  : lattice_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
+    : lattice_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
 {
     bits_.setOutside();
 }
@@ -28,12 +28,22 @@ void OccupancyBuilder::block(const Shape &shape, double radius)
 {
     for (const Point &point : shape.points)
         blockNear(point, point, radius);
-    for (const LineString &line : shape.lines)
+    // a line or ring of a single point has no segment that would stand for it
+    const auto blockLonePoint = [this, radius](const auto &line)
+    {
         if (line.size() == 1)
             blockNear(line.front(), line.front(), radius);
+    };
+    for (const LineString &line : shape.lines)
+        blockLonePoint(line);
     forEachSegment(shape, [this, radius](const Point &a, const Point &b) { blockNear(a, b, radius); });
     for (const Polygon &area : shape.areas)
+    {
         fill_.fill(area, bits_);
+        blockLonePoint(area.outer());
+        for (const Ring &hole : area.inners())
+            blockLonePoint(hole);
+    }
 }
 
 void OccupancyBuilder::blockOutside(const std::vector<Polygon> &areas, double radius)

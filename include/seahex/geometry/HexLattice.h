@@ -23,15 +23,16 @@ struct Box
 
 /// A rectangle of hexagonal cells in the plane (x east, y north).
 ///
-/// The lattice is unbounded as far as geometry goes (`cellAt`, `centre`, `corners` work for every cell); `contains` tells
-/// which cells belong to the rectangle of `columns` x `rows`. An immutable value.
+/// The lattice is unbounded as far as geometry goes (`cellAt`, `centre`, `corners` work for every cell); `contains`
+/// tells which cells belong to the rectangle of `columns` x `rows`. An immutable value.
 class HexLattice
 {
 public:
     /// @param northWest  north-west corner: the westernmost point of odd rows (x) and the northern tip of row 0 (y)
     /// @param pitch      centre to centre = cell width, in the plane's unit; > 0
     /// @param columns, rows  > 0
-    /// @throws std::domain_error if the pitch is not positive and finite, the origin not finite, or a count not positive
+    /// @throws std::domain_error if the pitch is not positive and finite, the origin not finite, or a count not
+    /// positive
     HexLattice(const Point &northWest, double pitch, std::int64_t columns, std::int64_t rows);
 
     /// The smallest lattice whose closed cells cover every point of the box.
@@ -56,6 +57,7 @@ public:
 
     /// The cell that holds the point. On an edge or corner it is one of the cells that meet there, always the same one.
     /// Exact but for rounding: the point lies within 1e-9 times the larger coordinate of the cell returned.
+    /// A point that is not a number or lies more than 2^60 cells away gets a cell about as far away, in no rectangle.
     HexCoord cellAt(const Point &p) const;
 
     Point centre(HexCoord cell) const

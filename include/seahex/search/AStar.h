@@ -65,7 +65,8 @@ public:
         std::uint64_t untilPoll = 0;
         while (!open_.empty())
         {
-            if (bestGoal_ && !lattice_.better(open_.top().key, bestCost_))
+            // compared as keys: what is left may still be better by the rounding of key(), which is none for the user
+            if (bestGoal_ && !lattice_.better(open_.top().key, lattice_.key(bestCost_)))
                 return SearchStatus::Found;
             if (untilPoll-- == 0)
             {
