@@ -1,16 +1,18 @@
 #include "seahex/planning/HexAStar.h"
 
 #include "planning/LatticeQuery.h"
-#include "seahex/planning/OccupancyMotionValidator.h"
-#include "seahex/planning/OccupancyValidityChecker.h"
+#include "planning/ProblemLattice.h"
 #include "seahex/planning/PlanarEmbedding.h"
 
-#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/goals/GoalState.h>
+#include <ompl/base/goals/GoalStates.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <typeinfo>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -20,28 +22,12 @@ namespace seahex
 namespace
 {
 
-constexpr std::int64_t mostCells = 1000000;  // of a lattice that the planner lays itself
+constexpr unsigned int mostSamples = 100;  // of a goal region that is no list of states
 
-/// The occupancy that checker and motion validator of a problem share; nullptr if the problem is another.
-std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &si)
+/// True for goals whose states are all there from the beginning: none will turn up later.
+bool isListOfStates(const ob::Goal &goal)
 {
-    const auto *checker = dynamic_cast<const OccupancyValidityChecker *>(si.getStateValidityChecker().get());
-    const auto *validator = dynamic_cast<const OccupancyMotionValidator *>(si.getMotionValidator().get());
-    if (checker == nullptr || validator == nullptr || checker->occupancy() != validator->occupancy())
-        return nullptr;
-    return checker->occupancy();
-}
-
-HexLattice layLattice(const Box &bounds, double requestedCellSize)
-{
-    const Point extent = bounds.max - bounds.min;
-    const double pitch = requestedCellSize > 0.0 ? requestedCellSize : extent.maxCoeff() / 200.0;
-    const HexLattice lattice = HexLattice::covering(bounds, pitch);
-    if (lattice.cellCount() > mostCells)
-        throw ompl::Exception("HexAStar", "a cell size of " + std::to_string(pitch) + " makes " +
-                                              std::to_string(lattice.cellCount()) + " cells; at most " +
-                                              std::to_string(mostCells) + " are allowed");
-    return lattice;
+    return typeid(goal) == typeid(ob::GoalState) || typeid(goal) == typeid(ob::GoalStates);
 }
 
 }  // namespace
@@ -118,23 +104,23 @@ void HexAStar::setTracing(bool tracing)
 void HexAStar::setup()
 {
     ob::Planner::setup();
-    query_.reset();
-    occupancy_ = sharedOccupancy(*si_);
-    lattice_ = occupancy_ ? occupancy_->lattice()
-                          : layLattice(PlanarEmbedding(si_->getStateSpace().get()).bounds(), requestedCellSize_);
+    setup_ = false;  // unless all of the following goes well
+    forgetQuery();
+    const Box bounds = PlanarEmbedding(si_->getStateSpace().get()).bounds();
+    chart_ = sharedOccupancy(*si_);
+    occupancy_ = chart_ ? withinBounds(chart_, bounds) : nullptr;
+    lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(bounds, requestedCellSize_);
     if (!pdef_)
-    {
-        setup_ = false;
         return;
-    }
-    objective_ = pdef_->hasOptimizationObjective() ? pdef_->getOptimizationObjective()
-                                                   : std::make_shared<ob::PathLengthOptimizationObjective>(si_);
+    problemObjective_ = pdef_->getOptimizationObjective();
+    objective_ = problemObjective_ ? problemObjective_ : std::make_shared<ob::PathLengthOptimizationObjective>(si_);
+    setup_ = true;
 }
 
 void HexAStar::clear()
 {
     ob::Planner::clear();
-    query_.reset();
+    forgetQuery();
     freeStates();
     solution_.reset();
     trace_.clear();
@@ -143,6 +129,25 @@ void HexAStar::clear()
     searchMs_ = 0.0;
     outcome_ = PlanningOutcome::None;
     setup_ = false;
+}
+
+void HexAStar::setProblemDefinition(const ob::ProblemDefinitionPtr &pdef)
+{
+    if (pdef != pdef_)
+        clear();
+    ob::Planner::setProblemDefinition(pdef);
+}
+
+bool HexAStar::isOutdated() const
+{
+    return sharedOccupancy(*si_) != chart_ || pdef_->getOptimizationObjective() != problemObjective_;
+}
+
+void HexAStar::forgetQuery()
+{
+    query_.reset();
+    comparedPairs_ = 0;
+    directPath_.reset();
 }
 
 void HexAStar::freeStates()
@@ -155,56 +160,131 @@ void HexAStar::freeStates()
     goals_.clear();
 }
 
-bool HexAStar::collectStates(const ob::PlannerTerminationCondition &ptc)
+void HexAStar::collectStarts()
 {
-    const std::size_t known = starts_.size() + goals_.size();
     while (const ob::State *state = pis_.nextStart())
+    {
         starts_.push_back(si_->cloneState(state));
-    // wait for a first goal as long as there is time; take others only as they are there
-    if (goals_.empty())
-        if (const ob::State *state = pis_.nextGoal(ptc))
-            goals_.push_back(si_->cloneState(state));
-    while (const ob::State *state = pis_.nextGoal())
+        forgetQuery();
+    }
+}
+
+void HexAStar::collectGoals(const ob::PlannerTerminationCondition &ptc)
+{
+    const auto take = [this](const ob::State *state)
+    {
         goals_.push_back(si_->cloneState(state));
-    return starts_.size() + goals_.size() > known;
+        forgetQuery();
+    };
+    const bool isList = isListOfStates(*pdef_->getGoal());
+    const unsigned int most = isList ? std::numeric_limits<unsigned int>::max() : mostSamples;
+    // Those that are there; nextGoal() makes one attempt, and none at all if the region can't give a sample now.
+    for (bool goOn = true; goOn && pis_.haveMoreGoalStates() && pis_.getSampledGoalsCount() < most;)
+    {
+        const unsigned int sampled = pis_.getSampledGoalsCount();
+        if (const ob::State *state = pis_.nextGoal())
+            take(state);
+        goOn = pis_.getSampledGoalsCount() > sampled && (!pis_.haveMoreGoalStates() || !ptc);
+    }
+    // If there is none, one may turn up while there is time.
+    if (goals_.empty() && !isList)
+        if (const ob::State *state = pis_.nextGoal(ptc))
+            take(state);
 }
 
 ob::PlannerStatus HexAStar::solve(const ob::PlannerTerminationCondition &ptc)
 {
     checkValidity();
-    const auto *goal = dynamic_cast<const ob::GoalSampleableRegion *>(pdef_->getGoal().get());
-    if (goal == nullptr)
+    if (isOutdated())
+    {
+        clear();
+        checkValidity();
+    }
+    outcome_ = PlanningOutcome::None;
+    if (dynamic_cast<const ob::GoalSampleableRegion *>(pdef_->getGoal().get()) == nullptr)
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
-    const auto begin = std::chrono::steady_clock::now();
-    if (collectStates(ptc))
-        query_.reset();
-    if (starts_.empty())
-        return finish(PlanningOutcome::InvalidStart);
-    if (goals_.empty())
-        return finish(PlanningOutcome::InvalidGoal);
-    if (solveInOneCell())
-        return finish(PlanningOutcome::Found);
 
+    const auto begin = std::chrono::steady_clock::now();
+    counters_ = {};
+    trace_.clear();
+    solution_.reset();
+    outcome_ = plan(ptc);
+    searchMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    if (solution_)
+    {
+        addSolution();
+        return ob::PlannerStatus::EXACT_SOLUTION;
+    }
+    if (outcome_ == PlanningOutcome::InvalidStart)
+        return ob::PlannerStatus::INVALID_START;
+    if (outcome_ == PlanningOutcome::InvalidGoal)
+        return ob::PlannerStatus::INVALID_GOAL;
+    return ob::PlannerStatus::TIMEOUT;
+}
+
+PlanningOutcome HexAStar::plan(const ob::PlannerTerminationCondition &ptc)
+{
+    collectStarts();
+    if (starts_.empty())
+        return PlanningOutcome::InvalidStart;
+    collectGoals(ptc);
+    if (goals_.empty())
+        return pis_.haveMoreGoalStates() ? PlanningOutcome::OutOfTime : PlanningOutcome::InvalidGoal;
+    const bool compared = joinDirectly(ptc);
+    solution_ = directPath_;
+    if (solution_ && starts_.size() == 1 && goals_.size() == 1)
+        return PlanningOutcome::Found;
+    return compared ? searchLattice(ptc) : PlanningOutcome::OutOfTime;
+}
+
+bool HexAStar::joinDirectly(const ob::PlannerTerminationCondition &ptc)
+{
+    // A detour over the cell's centre would serve nothing.
+    const PlanarEmbedding embedding(si_->getStateSpace().get());
+    const auto cellOf = [&](const ob::State *state)
+    {
+        return lattice_->cellAt(embedding.position(state));
+    };
+    int motions = 0;
+    for (; comparedPairs_ < starts_.size() * goals_.size(); ++comparedPairs_)
+    {
+        const ob::State *start = starts_[comparedPairs_ / goals_.size()];
+        const ob::State *goal = goals_[comparedPairs_ % goals_.size()];
+        if (cellOf(start) != cellOf(goal))
+            continue;
+        if (++motions % 8 == 0 && ptc)
+            return false;
+        if (!si_->checkMotion(start, goal))
+            continue;
+        auto path = std::make_shared<og::PathGeometric>(si_, start, goal);
+        if (!directPath_ || objective_->isCostBetterThan(path->cost(objective_), directPath_->cost(objective_)))
+            directPath_ = std::move(path);
+    }
+    return true;
+}
+
+PlanningOutcome HexAStar::searchLattice(const ob::PlannerTerminationCondition &ptc)
+{
     if (!query_)
         startQuery();
-    if (!query_->hasStart())
-        return finish(PlanningOutcome::InvalidStart);
-    if (!query_->hasGoal())
-        return finish(PlanningOutcome::InvalidGoal);
     const SearchStatus status = query_->run(ptc);
     counters_ = query_->counters();
-    searchMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-
-    trace_.clear();
     const CellLayout layout(lattice_->columns(), lattice_->rows());
     for (const CellIndex index : tracedIndices_)
         trace_.push_back(layout.cell(index));
     if (status == SearchStatus::Stopped)
-        return finish(PlanningOutcome::OutOfTime);
-    if (status == SearchStatus::Exhausted)
-        return finish(PlanningOutcome::Exhausted);
-    addSolution(query_->path());
-    return finish(PlanningOutcome::Found);
+        return PlanningOutcome::OutOfTime;
+    if (status == SearchStatus::Found)
+    {
+        const ob::PathPtr path = query_->path();
+        if (!solution_ || objective_->isCostBetterThan(path->cost(objective_), solution_->cost(objective_)))
+            solution_ = path;
+    }
+    if (solution_)
+        return PlanningOutcome::Found;
+    if (!query_->hasStart())
+        return PlanningOutcome::InvalidStart;
+    return query_->hasGoal() ? PlanningOutcome::Exhausted : PlanningOutcome::InvalidGoal;
 }
 
 void HexAStar::startQuery()
@@ -220,46 +300,13 @@ void HexAStar::startQuery()
     query_ = makeLatticeQuery(question);
 }
 
-bool HexAStar::solveInOneCell()
+void HexAStar::addSolution()
 {
-    // A detour over the cell's centre would serve nothing.
-    const PlanarEmbedding embedding(si_->getStateSpace().get());
-    for (const ob::State *start : starts_)
-        for (const ob::State *goal : goals_)
-            if (lattice_->cellAt(embedding.position(start)) == lattice_->cellAt(embedding.position(goal)) &&
-                si_->checkMotion(start, goal))
-            {
-                auto path = std::make_shared<og::PathGeometric>(si_, start, goal);
-                addSolution(path);
-                return true;
-            }
-    return false;
-}
-
-void HexAStar::addSolution(const ob::PathPtr &path)
-{
-    solution_ = path;
-    const ob::Cost cost = path->cost(objective_);
-    ob::PlannerSolution solution(path);
+    const ob::Cost cost = solution_->cost(objective_);
+    ob::PlannerSolution solution(solution_);
     solution.setPlannerName(getName());
     solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
     pdef_->addSolutionPath(solution);
-}
-
-ob::PlannerStatus HexAStar::finish(PlanningOutcome outcome)
-{
-    outcome_ = outcome;
-    switch (outcome)
-    {
-        case PlanningOutcome::Found:
-            return ob::PlannerStatus::EXACT_SOLUTION;
-        case PlanningOutcome::InvalidStart:
-            return ob::PlannerStatus::INVALID_START;
-        case PlanningOutcome::InvalidGoal:
-            return ob::PlannerStatus::INVALID_GOAL;
-        default:
-            return ob::PlannerStatus::TIMEOUT;
-    }
 }
 
 void HexAStar::getPlannerData(ob::PlannerData &data) const

@@ -10,7 +10,7 @@ namespace seahex
 {
 
 LatticeLengthObjective::LatticeLengthObjective(const ob::SpaceInformationPtr &si, const HexLattice &lattice)
-  : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), lattice_(lattice)
+    : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), lattice_(lattice)
 {
     description_ = "Lattice length";
 }

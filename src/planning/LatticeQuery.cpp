@@ -36,8 +36,8 @@ std::optional<LengthMetric> lengthMetric(const LatticeQuestion &question)
     const ob::OptimizationObjective &objective = *question.objective;
     if (typeid(objective) == typeid(ob::PathLengthOptimizationObjective))
         return LengthMetric::Euclidean;
-    const auto *lattice = dynamic_cast<const LatticeLengthObjective *>(&objective);
-    if (lattice != nullptr && lattice->lattice().pitch() == question.lattice.pitch())
+    if (typeid(objective) == typeid(LatticeLengthObjective) &&
+        static_cast<const LatticeLengthObjective &>(objective).lattice().pitch() == question.lattice.pitch())
         return LengthMetric::Lattice;
     return std::nullopt;
 }
@@ -52,16 +52,48 @@ class QueryParts
 {
 public:
     explicit QueryParts(const LatticeQuestion &q)
-      : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)),
-        layout(q.occupancy ? q.occupancy->layout() : CellLayout(q.lattice.columns(), q.lattice.rows())),
-        jumps(layout, q.rings, q.allJumps || !metric ? JumpSet::All : JumpSet::Primitive), scratch(q.si)
+        : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)),
+          layout(q.occupancy ? q.occupancy->layout() : CellLayout(q.lattice.columns(), q.lattice.rows())),
+          jumps(layout, q.rings, q.allJumps || !metric ? JumpSet::All : JumpSet::Primitive), scratch_(q.si)
     {
         if (!q.occupancy)
+        {
             cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps);
-        for (const ob::State *state : q.starts)
-            join(state, true);
-        for (const ob::State *state : q.goals)
-            join(state, false);
+            for (const RingOffset &offset : ringOffsets(1))
+                around_.push_back(offset.offset);
+        }
+    }
+
+    /// Joins starts and goals to their cells. @return false if interrupted; call it again to go on
+    bool join()
+    {
+        for (; tried_ < (question.starts.size() + question.goals.size()) * around_.size(); ++tried_)
+        {
+            if (cache && cache->interrupted())
+                return false;
+            const std::size_t i = tried_ / around_.size();
+            const bool isStart = i < question.starts.size();
+            const ob::State *state = isStart ? question.starts[i] : question.goals[i - question.starts.size()];
+            const HexCoord own = question.lattice.cellAt(embedding.position(state));
+            tryJoin(state, own + around_[tried_ % around_.size()], isStart);
+        }
+        for (const Joint &joint : starts)
+        {
+            const Point from = embedding.position(best(starts, joint.cell).state);
+            startHeadings[layout.index(joint.cell)] = headingFrom(from, question.lattice.centre(joint.cell));
+        }
+        return true;
+    }
+
+    /// The cheapest of the joints to a cell.
+    const Joint &best(const std::vector<Joint> &joints, HexCoord cell) const
+    {
+        const Joint *best = nullptr;
+        for (const Joint &joint : joints)
+            if (joint.cell == cell &&
+                (best == nullptr || question.objective->isCostBetterThan(ob::Cost(joint.cost), ob::Cost(best->cost))))
+                best = &joint;
+        return *best;
     }
 
     std::vector<GoalCell> goalCells() const
@@ -70,15 +102,6 @@ public:
         for (const Joint &joint : goals)
             cells.push_back({joint.cell, joint.cost});
         return cells;
-    }
-
-    std::map<CellIndex, double> startHeadings() const
-    {
-        std::map<CellIndex, double> headings;
-        for (const Joint &joint : starts)
-            headings.emplace(layout.index(joint.cell), headingFrom(embedding.position(joint.state),
-                                                                   question.lattice.centre(joint.cell)));
-        return headings;
     }
 
     Point firstStart() const { return embedding.position(question.starts.front()); }
@@ -92,30 +115,24 @@ public:
     std::unique_ptr<MotionCache> cache;
     std::vector<Joint> starts;
     std::vector<Joint> goals;
+    std::map<CellIndex, double> startHeadings;
 
 private:
-    void join(const ob::State *state, bool isStart)
-    {
-        const HexCoord own = question.lattice.cellAt(embedding.position(state));
-        if (question.occupancy)
-        {
-            if (question.occupancy->isFree(own))
-                add(state, own, isStart);
-            return;
-        }
-        tryJoin(state, own, isStart);
-        for (const RingOffset &offset : ringOffsets(1))
-            tryJoin(state, own + offset.offset, isStart);
-    }
-
     void tryJoin(const ob::State *state, HexCoord cell, bool isStart)
     {
+        if (question.occupancy)
+        {
+            if (question.occupancy->isFree(cell))
+                add(state, cell, isStart);
+            return;
+        }
         if (!question.lattice.contains(cell) || !cache->isCellUsable(layout.index(cell)))
             return;
         placeCentre(state, cell, isStart);
-        const bool valid = isStart ? question.si->checkMotion(state, scratch.get())
-                                   : question.si->checkMotion(scratch.get(), state);
-        if (valid && question.si->isValid(scratch.get()))
+        if (embedding.hasHeading() && !cache->ask(question.si->isValid(scratch_.get())))
+            return;
+        if (cache->ask(isStart ? question.si->checkMotion(state, scratch_.get())
+                               : question.si->checkMotion(scratch_.get(), state)))
             add(state, cell, isStart);
     }
 
@@ -123,7 +140,7 @@ private:
     {
         const Point p = embedding.position(state);
         const Point centre = question.lattice.centre(cell);
-        embedding.place(scratch.get(), centre, isStart ? headingFrom(p, centre) : headingFrom(centre, p));
+        embedding.place(scratch_.get(), centre, isStart ? headingFrom(p, centre) : headingFrom(centre, p));
     }
 
     void add(const ob::State *state, HexCoord cell, bool isStart)
@@ -140,13 +157,16 @@ private:
             return hexNorm(leg, question.lattice);
         const ob::OptimizationObjective &objective = *question.objective;
         placeCentre(state, cell, isStart);
-        return isStart ? objective.combineCosts(objective.initialCost(state),
-                                                objective.motionCost(state, scratch.get())).value()
-                       : objective.combineCosts(objective.motionCost(scratch.get(), state),
-                                                objective.terminalCost(state)).value();
+        return isStart
+                   ? objective.combineCosts(objective.initialCost(state), objective.motionCost(state, scratch_.get()))
+                         .value()
+                   : objective.combineCosts(objective.motionCost(scratch_.get(), state), objective.terminalCost(state))
+                         .value();
     }
 
-    ob::ScopedState<> scratch;
+    ob::ScopedState<> scratch_;
+    std::vector<HexCoord> around_ = {{0, 0}};  // cells to join, relative to a state's own
+    std::size_t tried_ = 0;
 };
 
 template <class Graph>
@@ -155,9 +175,8 @@ class GraphQuery : public LatticeQuery
 public:
     template <class MakeGraph>
     GraphQuery(std::unique_ptr<QueryParts> parts, MakeGraph &&makeGraph)
-      : parts_(std::move(parts)), graph_(makeGraph(*parts_)), search_(graph_)
+        : parts_(std::move(parts)), graph_(makeGraph(*parts_)), search_(graph_)
     {
-        addStarts();
         search_.setTrace(parts_->question.trace);
     }
 
@@ -167,16 +186,24 @@ public:
 
     SearchStatus run(const ob::PlannerTerminationCondition &stop) override
     {
+        if (parts_->cache)
+            parts_->cache->watch(stop);
+        if (!joined_ && !join())
+            return SearchStatus::Stopped;
+        if (!hasStart() || !hasGoal())
+            return SearchStatus::Exhausted;
         if (!parts_->cache)
             return search_.run([&stop] { return stop(); }, parts_->metric ? 500 : 16);
-        parts_->cache->watch(stop);
-        parts_->cache->resume();
         for (;;)
         {
-            const SearchStatus status = search_.run([&stop] { return stop(); }, 16);
-            if (status != SearchStatus::Found || !forbidInvalidMotion())
+            const SearchStatus status = search_.run([this] { return parts_->cache->interrupted(); }, 1);
+            if (status != SearchStatus::Found || !parts_->embedding.hasHeading())
                 return status;
+            const Verdict verdict = examinePath();
+            if (verdict != Verdict::Mended)
+                return verdict == Verdict::Sound ? SearchStatus::Found : SearchStatus::Stopped;
             search_.reset();
+            examined_ = 0;
             addStarts();
         }
     }
@@ -188,8 +215,8 @@ public:
             return nullptr;
         const LatticeQuestion &q = parts_->question;
         auto path = std::make_shared<og::PathGeometric>(q.si);
-        const Joint &first = bestJoint(parts_->starts, cells.front());
-        const Joint &last = bestJoint(parts_->goals, cells.back());
+        const Joint &first = parts_->best(parts_->starts, parts_->layout.cell(cells.front()));
+        const Joint &last = parts_->best(parts_->goals, parts_->layout.cell(cells.back()));
         path->append(first.state);
         ob::ScopedState<> state(q.si);
         Point before = parts_->embedding.position(first.state);
@@ -205,62 +232,75 @@ public:
     }
 
 private:
+    enum class Verdict
+    {
+        Sound,
+        Mended,  // what did not hold was taken out of the lattice, and the search has to start again
+        Interrupted
+    };
+
+    bool join()
+    {
+        if (!parts_->join())
+            return false;
+        joined_ = true;
+        graph_.setGoals(parts_->goalCells());
+        addStarts();
+        return true;
+    }
+
     void addStarts()
     {
         for (const Joint &joint : parts_->starts)
             search_.addStart(parts_->layout.index(joint.cell), joint.cost);
     }
 
-    const Joint &bestJoint(const std::vector<Joint> &joints, CellIndex cell) const
+    /// In SE(2) a motion depends on the yaw with which its first cell was reached, and that may have changed after it
+    /// was asked for. Asks again for each motion of the path found.
+    Verdict examinePath()
     {
-        const Joint *best = nullptr;
-        for (const Joint &joint : joints)
-            if (parts_->layout.index(joint.cell) == cell && (best == nullptr || graph_.better(joint.cost, best->cost)))
-                best = &joint;
-        return *best;
+        const auto states = path();
+        for (; examined_ + 1 < states->getStateCount(); ++examined_)
+        {
+            if (parts_->cache->interrupted())
+                return Verdict::Interrupted;
+            const auto leg = static_cast<unsigned int>(examined_);
+            if (!parts_->cache->ask(parts_->question.si->checkMotion(states->getState(leg), states->getState(leg + 1))))
+            {
+                takeOut(examined_);
+                return Verdict::Mended;
+            }
+        }
+        return Verdict::Sound;
     }
 
-    /// In SE(2) a motion depends on the yaw with which its first cell was reached, and that may have changed after it was
-    /// asked for. Finds such a motion in the path and takes it out of the lattice.
-    /// @return true if there was one, and the search has to start again
-    bool forbidInvalidMotion()
+    /// Takes a leg of the path found out of the lattice.
+    void takeOut(std::size_t leg)
     {
-        if (!parts_->embedding.hasHeading())
-            return false;
         const std::vector<CellIndex> cells = search_.path();
-        const auto states = path();
-        for (std::size_t i = 0; i + 1 < states->getStateCount(); ++i)
+        if (leg == 0)
+            return dropJoint(parts_->starts, cells.front());
+        if (leg == cells.size())
         {
-            if (parts_->question.si->checkMotion(states->getState(i), states->getState(i + 1)))
-                continue;
-            if (i == 0)
-            {
-                dropJoint(parts_->starts, cells.front());
-                return true;
-            }
-            if (i == cells.size())
-            {
-                dropJoint(parts_->goals, cells.back());
-                graph_.setGoals(parts_->goalCells());
-                return true;
-            }
-            const HexCoord step = parts_->layout.cell(cells[i]) - parts_->layout.cell(cells[i - 1]);
-            for (std::size_t k = 0; k < parts_->jumps.size(); ++k)
-                if (parts_->jumps.offset(k).offset == step)
-                    parts_->cache->forbid(cells[i - 1], k);
-            return true;
+            dropJoint(parts_->goals, cells.back());
+            return graph_.setGoals(parts_->goalCells());
         }
-        return false;
+        const HexCoord step = parts_->layout.cell(cells[leg]) - parts_->layout.cell(cells[leg - 1]);
+        for (std::size_t k = 0; k < parts_->jumps.size(); ++k)
+            if (parts_->jumps.offset(k).offset == step)
+                parts_->cache->forbid(cells[leg - 1], k);
     }
 
     void dropJoint(std::vector<Joint> &joints, CellIndex cell)
     {
-        joints.erase(joints.begin() + (&bestJoint(joints, cell) - joints.data()));
+        joints.erase(joints.begin() + (&parts_->best(joints, parts_->layout.cell(cell)) - joints.data()));
     }
 
     std::unique_ptr<QueryParts> parts_;
     Graph graph_;
     AStar<Graph> search_;
+    bool joined_ = false;
+    std::size_t examined_ = 0;  // legs of the path found that hold
 };
 
 /// The graph of a query for one kind of weight: on the occupancy, or on the user's own checker.
@@ -271,13 +311,13 @@ std::unique_ptr<LatticeQuery> makeQuery(std::unique_ptr<QueryParts> parts, MakeW
         return std::make_unique<GraphQuery<HexGraph<Weight>>>(
             std::move(parts), [&](QueryParts &p)
             { return HexGraph<Weight>(*p.question.occupancy, p.jumps, p.goalCells(), makeWeight(p)); });
-    return std::make_unique<GraphQuery<MotionGraph<Weight>>>(
-        std::move(parts),
-        [&](QueryParts &p)
-        {
-            return MotionGraph<Weight>(*p.cache, p.question.lattice, p.layout, p.jumps, p.startHeadings(),
-                                       p.goalCells(), makeWeight(p));
-        });
+    return std::make_unique<GraphQuery<MotionGraph<Weight>>>(std::move(parts),
+                                                             [&](QueryParts &p)
+                                                             {
+                                                                 return MotionGraph<Weight>(
+                                                                     *p.cache, p.question.lattice, p.layout, p.jumps,
+                                                                     p.startHeadings, p.goalCells(), makeWeight(p));
+                                                             });
 }
 
 }  // namespace
@@ -287,18 +327,17 @@ std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
     auto parts = std::make_unique<QueryParts>(question);
     if (parts->metric)
         return makeQuery<LengthWeight>(std::move(parts),
-                                       [](const QueryParts &p)
-                                       {
+                                       [](const QueryParts &p) {
                                            return LengthWeight(p.question.lattice, p.jumps, *p.metric,
                                                                p.question.guidance, p.firstStart(), p.firstGoal());
                                        });
-    return makeQuery<ObjectiveWeight>(
-        std::move(parts),
-        [](const QueryParts &p)
-        {
-            return ObjectiveWeight(p.question.si, *p.question.objective, p.embedding, p.question.lattice, p.layout,
-                                   p.question.guidance, p.firstStart(), p.firstGoal());
-        });
+    return makeQuery<ObjectiveWeight>(std::move(parts),
+                                      [](const QueryParts &p)
+                                      {
+                                          return ObjectiveWeight(p.question.si, *p.question.objective, p.embedding,
+                                                                 p.question.lattice, p.layout, p.question.guidance,
+                                                                 p.firstStart(), p.firstGoal());
+                                      });
 }
 
 }  // namespace seahex

@@ -40,11 +40,12 @@ class LatticeQuery
 public:
     virtual ~LatticeQuery() = default;
 
-    /// Is any start, any goal joined to a cell?
+    /// Is any start, any goal joined to a cell? Known once run() was not stopped.
     virtual bool hasStart() const = 0;
     virtual bool hasGoal() const = 0;
 
-    /// Searches on until found, exhausted or told to stop.
+    /// Joins starts and goals to their cells and searches, until found, exhausted or told to stop; goes on where it
+    /// was.
     virtual SearchStatus run(const ompl::base::PlannerTerminationCondition &stop) = 0;
 
     /// The path found: a start state, centres, a goal state. nullptr if there is none.
@@ -53,10 +54,10 @@ public:
     virtual SearchCounters counters() const = 0;
 };
 
-/// Chooses graph and weight for a question and joins starts and goals to their cells.
+/// Chooses graph and weight for a question. Asks the problem nothing yet.
 ///
-/// On an occupancy a state joins the centre of its own cell, which is free and convex. Elsewhere it joins every centre within
-/// one ring that a valid motion reaches.
+/// On an occupancy a state joins the centre of its own cell, which is free and convex. Elsewhere it joins every centre
+/// within one ring that a valid motion reaches.
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question);
 
 }  // namespace seahex

@@ -8,16 +8,20 @@
 #include <ompl/base/SpaceInformation.h>
 
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <vector>
 
 namespace seahex
 {
 
-/// Asks a user's SpaceInformation which cells and jumps of a lattice are valid: lazily, each cell and each jump once, and
-/// with a look at the termination condition after every 16 questions, because an answer may take long.
+/// Asks a user's SpaceInformation which cells and jumps of a lattice are valid: lazily, each cell and each jump once
+/// (there and back is one), and with a look at the termination condition after 16 questions at most, because an answer
+/// may take long.
 ///
-/// In SE(2) a state's yaw is the course of the leg that led to it, so a motion depends on the leg before it: motions are
-/// then asked for whenever a cell is expanded, and only those that were found wanting afterwards are remembered.
+/// In SE(2) a state's yaw is the course of the leg that led to it, so a motion depends on the leg before it: motions
+/// are then asked for whenever a cell is expanded. Remembered are those that were found wanting afterwards, and the
+/// answers of an expansion that was interrupted.
 class MotionCache
 {
 public:
@@ -28,17 +32,31 @@ public:
         Interrupted
     };
 
+    /// What is known of the jumps from one cell: of the first `count`, bit k of `valid` tells about jump k.
+    struct Answers
+    {
+        std::uint8_t arrivedBy;
+        std::size_t count = 0;
+        std::uint64_t valid = 0;
+    };
+
     MotionCache(const ompl::base::SpaceInformationPtr &si, const PlanarEmbedding &embedding, const HexLattice &lattice,
                 const CellLayout &layout, const HexJumps &jumps)
-      : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps), bounds_(embedding.bounds()),
-        cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown), from_(si), to_(si)
+        : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps),
+          bounds_(embedding.bounds()), cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown),
+          from_(si), to_(si)
     {
     }
 
-    /// The condition to look at from now on; must outlive the questions.
-    void watch(const ompl::base::PlannerTerminationCondition &condition) { condition_ = &condition; }
+    /// Looks at the condition, and from now on again and again; it must outlive the questions.
+    void watch(const ompl::base::PlannerTerminationCondition &condition)
+    {
+        condition_ = &condition;
+        look();
+    }
 
-    /// True if the cell's centre lies in the space's bounds and is a valid state (whatever its yaw, where there is one).
+    /// True if the cell's centre lies in the space's bounds and is a valid state (whatever its yaw, where there is
+    /// one).
     bool isCellUsable(CellIndex cell)
     {
         const OffsetCoord o = layout_.offset(cell);
@@ -77,30 +95,53 @@ public:
     }
 
     /// Declares a jump invalid for good.
-    void forbid(CellIndex from, std::size_t jump) { motions_[from * jumps_.size() + jump] = invalid; }
+    void forbid(CellIndex from, std::size_t jump)
+    {
+        motions_[from * jumps_.size() + jump] = invalid;
+        unfinished_.clear();
+    }
 
-    /// A look at the condition if 13 questions were asked since the last one: with the three of one jump, 16 at most.
+    /// Keeps the answers of an expansion that was interrupted. Without them a slow checker and little time would begin
+    /// it again and again.
+    void keep(CellIndex cell, const Answers &answers) { unfinished_[cell] = answers; }
+
+    /// Hands out what was kept for a cell reached by the same jump.
+    Answers take(CellIndex cell, std::uint8_t arrivedBy)
+    {
+        const auto kept = unfinished_.find(cell);
+        if (kept == unfinished_.end())
+            return {arrivedBy};
+        const Answers answers = kept->second;
+        unfinished_.erase(kept);
+        return answers.arrivedBy == arrivedBy ? answers : Answers{arrivedBy};
+    }
+
+    /// True if the condition holds. Looks at it again if since the last time 13 questions were asked (with the three of
+    /// one jump, 16 at most), or this was called often enough for known answers to have taken a while.
     bool interrupted()
     {
-        if (questions_ >= 13 && condition_ != nullptr)
-        {
-            questions_ = 0;
-            interrupted_ = (*condition_)();
-        }
+        if (questions_ >= 13 || ++calls_ >= 100)
+            look();
         return interrupted_;
     }
 
-    void resume() { interrupted_ = false; }
+    /// Counts a question put to the user's code.
+    bool ask(bool answer)
+    {
+        ++questions_;
+        return answer;
+    }
 
 private:
     static constexpr std::uint8_t unknown = 0;
     static constexpr std::uint8_t valid = 1;
     static constexpr std::uint8_t invalid = 2;
 
-    bool ask(bool answer)
+    void look()
     {
-        ++questions_;
-        return answer;
+        questions_ = 0;
+        calls_ = 0;
+        interrupted_ = (*condition_)();
     }
 
     bool isCellInside(CellIndex cell) const
@@ -125,10 +166,12 @@ private:
     Box bounds_;
     std::vector<std::uint8_t> cells_;
     std::vector<std::uint8_t> motions_;
+    std::map<CellIndex, Answers> unfinished_;
     ompl::base::ScopedState<> from_;
     ompl::base::ScopedState<> to_;
     const ompl::base::PlannerTerminationCondition *condition_ = nullptr;
-    unsigned int questions_ = 0;
+    unsigned int questions_ = 0;  // since the last look
+    unsigned int calls_ = 0;
     bool interrupted_ = false;
 };
 

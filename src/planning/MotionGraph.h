@@ -17,12 +17,12 @@ template <class Weight>
 class MotionGraph : public GoalCells<Weight>
 {
 public:
-    /// @param headings  the yaw with which each start cell is reached
-    /// Cache and jumps must outlive the graph.
+    /// @param startHeadings  the yaw with which each start cell is reached, to be filled in before the search begins
+    /// Cache, jumps and headings must outlive the graph.
     MotionGraph(MotionCache &cache, const HexLattice &lattice, const CellLayout &layout, const HexJumps &jumps,
-                std::map<CellIndex, double> headings, std::vector<GoalCell> goals, Weight weight)
-      : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
-        startHeadings_(std::move(headings))
+                const std::map<CellIndex, double> &startHeadings, std::vector<GoalCell> goals, Weight weight)
+        : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
+          startHeadings_(startHeadings)
     {
         for (std::size_t k = 0; k < jumps_.size(); ++k)
         {
@@ -36,13 +36,22 @@ public:
     {
         const double heading = arrivedBy < jumps_.size() ? courses_[arrivedBy] : startHeadings_.at(cell);
         const std::vector<Jump> &jumps = jumps_.from(jumps_.parity(cell));
+        MotionCache::Answers known = cache_.take(cell, arrivedBy);
         for (std::size_t k = 0; k < jumps.size(); ++k)
         {
             const auto successor = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps[k].delta);
-            const MotionCache::Answer answer = cache_.jump(cell, successor, k, heading);
-            if (answer == MotionCache::Answer::Interrupted)
-                return false;
-            if (answer == MotionCache::Answer::Valid)
+            if (k == known.count)
+            {
+                const MotionCache::Answer answer = cache_.jump(cell, successor, k, heading);
+                if (answer == MotionCache::Answer::Interrupted)
+                {
+                    cache_.keep(cell, known);
+                    return false;
+                }
+                ++known.count;
+                known.valid |= std::uint64_t{answer == MotionCache::Answer::Valid} << k;
+            }
+            if ((known.valid >> k) & 1)
                 relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k));
         }
         return true;
@@ -53,7 +62,7 @@ public:
 private:
     MotionCache &cache_;
     const HexJumps &jumps_;
-    std::map<CellIndex, double> startHeadings_;
+    const std::map<CellIndex, double> &startHeadings_;
     std::vector<double> courses_;
 };
 

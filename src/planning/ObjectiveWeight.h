@@ -1,8 +1,8 @@
 #pragma once
 
 #include "seahex/planning/PlanarEmbedding.h"
-#include "seahex/search/Guidance.h"
 #include "seahex/search/GoalCells.h"
+#include "seahex/search/Guidance.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/ScopedState.h>
@@ -14,17 +14,17 @@
 namespace seahex
 {
 
-/// Any OMPL objective as the weight of a lattice graph: its own motion costs between cell centres, its own algebra, its own
-/// heuristic. Copies share their working states, so one weight serves one search at a time.
+/// Any OMPL objective as the weight of a lattice graph: its own motion costs between cell centres, its own algebra, its
+/// own heuristic. Copies share their working states, so one weight serves one search at a time.
 class ObjectiveWeight
 {
 public:
     ObjectiveWeight(const ompl::base::SpaceInformationPtr &si, const ompl::base::OptimizationObjective &objective,
                     const PlanarEmbedding &embedding, const HexLattice &lattice, const CellLayout &layout,
                     Guidance guidance, const Point &start, const Point &goal)
-      : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
-        start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
-        to_(std::make_shared<ompl::base::ScopedState<>>(si))
+        : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
+          start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
+          to_(std::make_shared<ompl::base::ScopedState<>>(si))
     {
     }
 
@@ -44,8 +44,8 @@ public:
         return objective_.motionCost(from_->get(), to_->get()).value();
     }
 
-    /// The objective's heuristic between the two centres. Where states have a yaw it may count turns that the search does
-    /// not charge, so nothing is assumed there.
+    /// The objective's heuristic between the two centres. Where states have a yaw it may count turns that the search
+    /// does not charge, so nothing is assumed there.
     double bound(HexCoord cell, const GoalCell &goal) const
     {
         if (guidance_ == Guidance::None || embedding_.hasHeading())

@@ -11,7 +11,7 @@ namespace seahex
 
 OccupancyMotionValidator::OccupancyMotionValidator(const ob::SpaceInformationPtr &si,
                                                    std::shared_ptr<const HexOccupancy> occupancy)
-  : ob::MotionValidator(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
+    : ob::MotionValidator(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
 {
 }
 
@@ -29,23 +29,35 @@ bool OccupancyMotionValidator::checkMotion(const ob::State *s1, const ob::State 
 {
     if (checkMotion(s1, s2))
         return true;
-    const Point a = embedding_.position(s1);
-    const Point b = embedding_.position(s2);
-    lastValid.second = si_->satisfiesBounds(s1) ? lastFree(*occupancy_, a, b).value_or(0.0) : 0.0;
-    if (lastValid.first == nullptr)
-        return false;
-    // The interpolated state is rounded by the space: step back until the motion to it holds as it is.
-    double fraction = lastValid.second;
-    for (;;)
+    // A state of our own, because callers may have the last valid one written over s2.
+    ob::State *state = si_->allocState();
+    lastValid.second = lastValidFraction(s1, s2, state);
+    if (lastValid.first != nullptr)
     {
-        si_->getStateSpace()->interpolate(s1, s2, fraction, lastValid.first);
-        if (fraction == 0.0 || (si_->satisfiesBounds(lastValid.first) &&
-                                isFree(*occupancy_, a, embedding_.position(lastValid.first))))
-            break;
-        fraction = fraction > 1e-12 ? fraction * (1.0 - 1e-9) - 1e-13 : 0.0;
+        si_->getStateSpace()->interpolate(s1, s2, lastValid.second, state);
+        si_->copyState(lastValid.first, state);
     }
-    lastValid.second = fraction;
+    si_->freeState(state);
     return false;
+}
+
+double OccupancyMotionValidator::lastValidFraction(const ob::State *s1, const ob::State *s2, ob::State *state) const
+{
+    const Point a = embedding_.position(s1);
+    if (!si_->satisfiesBounds(s1))
+        return 0.0;
+    // Each fraction is tried with the state that the space makes of it, rounded as it may be, so the motion to the last
+    // valid one holds as it is. A prefix of a valid motion is valid, so it can be bisected for.
+    double valid = 0.0;
+    double invalid = 1.0;
+    for (int i = 0; i < 40; ++i)
+    {
+        const double middle = 0.5 * (valid + invalid);
+        si_->getStateSpace()->interpolate(s1, s2, middle, state);
+        const bool holds = si_->satisfiesBounds(state) && isFree(*occupancy_, a, embedding_.position(state));
+        (holds ? valid : invalid) = middle;
+    }
+    return valid;
 }
 
 }  // namespace seahex

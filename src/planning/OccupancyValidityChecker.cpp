@@ -12,7 +12,7 @@ namespace seahex
 
 OccupancyValidityChecker::OccupancyValidityChecker(const ob::SpaceInformationPtr &si,
                                                    std::shared_ptr<const HexOccupancy> occupancy)
-  : ob::StateValidityChecker(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
+    : ob::StateValidityChecker(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
 {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
 }

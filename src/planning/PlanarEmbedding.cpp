@@ -12,7 +12,7 @@ namespace seahex
 {
 
 PlanarEmbedding::PlanarEmbedding(const ob::StateSpace *space)
-  : space_(space), hasHeading_(space != nullptr && typeid(*space) == typeid(ob::SE2StateSpace))
+    : space_(space), hasHeading_(space != nullptr && typeid(*space) == typeid(ob::SE2StateSpace))
 {
     const auto *plane = dynamic_cast<const ob::RealVectorStateSpace *>(space);
     if (!hasHeading_ && (plane == nullptr || plane->getDimension() != 2))

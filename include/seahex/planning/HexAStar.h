@@ -25,22 +25,30 @@ enum class PlanningOutcome
     Exhausted,     ///< no path at this cell size; a finer lattice may have one
     OutOfTime,     ///< stopped by the termination condition; solve() again continues
     InvalidStart,  ///< no start is valid and joined to a cell
-    InvalidGoal    ///< no goal is
+    InvalidGoal    ///< no goal is valid and joined to a cell
 };
 
 /// A* on a lattice of hexagons with ring expansion [Cheng2020], for any problem in R^2 or SE(2).
 ///
-/// **On a chart** (OccupancyValidityChecker and OccupancyMotionValidator of one occupancy, see useOccupancy) the search runs on
-/// that occupancy's own lattice and reads its bits. A state joins the centre of its own cell. **With no chart** the planner lays
-/// a lattice over the space's bounds and asks the problem's own checker and motion validator, lazily, each cell and each motion
-/// once; start and goal join every centre within one ring that a valid motion reaches. In SE(2) the yaw at each centre is the
-/// course of the leg that led there.
+/// **On a chart** (OccupancyValidityChecker and OccupancyMotionValidator of one occupancy, see useOccupancy) the search
+/// runs on that occupancy's own lattice and reads its bits; cells whose centre lies outside the space's bounds are left
+/// out. A state joins the centre of its own cell. **With no chart** the planner lays a lattice over the space's bounds
+/// and asks the problem's own checker and motion validator, lazily, each cell and each motion once (motions must be as
+/// valid there as back); start and goal join every centre within one ring that a valid motion reaches. In SE(2) the yaw
+/// at each centre is the course of the leg that led there; a motion that does not hold with the yaw of the path's leg
+/// before it is taken out of the lattice, and the search begins again.
 ///
-/// The path is start, centres, goal. It is the cheapest of the lattice for the problem's optimisation objective (path length if
-/// it has none; the planner never writes one into the problem), if the guidance's bound is admissible; see Guidance for the
-/// published one. Any objective of OMPL's will do: costs, their sum and their order are the objective's; for path length and
-/// LatticeLengthObjective, which add up along a line, they are known beforehand and the bound is exact. In SE(2) the search
-/// minimises the cost of legs with their final yaw, which leaves turns to the order of expansion.
+/// The path is start, centres, goal; a start and a goal in one cell are joined directly if that motion is valid. It is
+/// the cheapest of the lattice for the problem's optimisation objective (path length if it has none; the planner never
+/// writes one into the problem), if the guidance's bound is admissible; see Guidance for the published one. Any
+/// objective of OMPL's will do: costs, their sum and their order are the objective's; for path length and
+/// LatticeLengthObjective, which add up along a line, they are known beforehand and the bound is exact. In SE(2) the
+/// search minimises the cost of legs with their final yaw, which leaves turns to the order of expansion.
+///
+/// All starts and goals of the problem take part, and the best pair wins; a goal region with no end of samples, and no
+/// GoalStates, is represented by its first 100. A goal state that is invalid is told at once; other regions are waited
+/// for as PlannerInputStates does. Starts and goals may be added between calls of solve(); after other changes to a
+/// problem call clear(), as for any planner. Another problem, objective or occupancy is noticed.
 ///
 /// "No path" holds for this cell size only, so an exhausted search returns TIMEOUT, never INFEASIBLE; ask outcome().
 /// The termination condition is looked at every 500 expansions, and every 16 calls of a user's checker or validator.
@@ -54,6 +62,8 @@ public:
     /// @throws ompl::Exception if the lattice of a problem with no chart would have more than 10^6 cells
     void setup() override;
     void clear() override;
+    /// Clears the planner if the problem is another one.
+    void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
     using ompl::base::Planner::solve;
     /// The solution's states and motions.
@@ -68,8 +78,8 @@ public:
     void setGuidance(const std::string &name);
     std::string getGuidance() const { return toString(guidance_); }
 
-    /// Try every successor of a ring, also those that repeat shorter collinear jumps (JumpSet::All). Only matters where the
-    /// objective is a length; others always use all.
+    /// Try every successor of a ring, also those that repeat shorter collinear jumps (JumpSet::All). Only matters where
+    /// the objective is a length; others always use all.
     void setAllJumps(bool all);
     bool getAllJumps() const { return allJumps_; }
 
@@ -85,7 +95,7 @@ public:
 
     PlanningOutcome outcome() const { return outcome_; }
     const SearchCounters &counters() const { return counters_; }
-    /// Wall time of the last query, joints and lattice search included, milliseconds.
+    /// Wall time of the last solve(), joints and lattice search included, milliseconds.
     double searchMs() const { return searchMs_; }
 
     /// Record the expanded cells (off by default).
@@ -95,11 +105,15 @@ public:
 
 private:
     void declareParameters();
-    bool collectStates(const ompl::base::PlannerTerminationCondition &ptc);
-    bool solveInOneCell();
-    ompl::base::PlannerStatus finish(PlanningOutcome outcome);
+    bool isOutdated() const;
+    void collectStarts();
+    void collectGoals(const ompl::base::PlannerTerminationCondition &ptc);
+    PlanningOutcome plan(const ompl::base::PlannerTerminationCondition &ptc);
+    PlanningOutcome searchLattice(const ompl::base::PlannerTerminationCondition &ptc);
+    bool joinDirectly(const ompl::base::PlannerTerminationCondition &ptc);
     void startQuery();
-    void addSolution(const ompl::base::PathPtr &path);
+    void addSolution();
+    void forgetQuery();
     void freeStates();
 
     int rings_ = 3;
@@ -109,11 +123,15 @@ private:
     bool tracing_ = false;
 
     std::optional<HexLattice> lattice_;
-    std::shared_ptr<const HexOccupancy> occupancy_;  // where the problem is one
-    ompl::base::OptimizationObjectivePtr objective_;
+    std::shared_ptr<const HexOccupancy> chart_;      // where the problem is one
+    std::shared_ptr<const HexOccupancy> occupancy_;  // the same within the space's bounds
+    ompl::base::OptimizationObjectivePtr problemObjective_;
+    ompl::base::OptimizationObjectivePtr objective_;  // the problem's or, if it has none, path length
     std::vector<ompl::base::State *> starts_;
     std::vector<ompl::base::State *> goals_;
     std::unique_ptr<LatticeQuery> query_;
+    std::size_t comparedPairs_ = 0;   // of a start and a goal
+    ompl::base::PathPtr directPath_;  // the best motion between a start and a goal of one cell
     ompl::base::PathPtr solution_;
 
     PlanningOutcome outcome_ = PlanningOutcome::None;

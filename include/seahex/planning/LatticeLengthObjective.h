@@ -8,8 +8,8 @@
 namespace seahex
 {
 
-/// Path length in steps of the lattice: D of [Cheng2020] eq. 4 for jumps between centres, extended to all segments as the
-/// norm that D is (hexNorm). Its motion cost is its own exact heuristic.
+/// Path length in steps of the lattice: D of [Cheng2020] eq. 4 for jumps between centres, extended to all segments as
+/// the norm that D is (hexNorm). Its motion cost is its own exact heuristic.
 class LatticeLengthObjective : public ompl::base::OptimizationObjective
 {
 public:

@@ -12,8 +12,8 @@ namespace seahex
 
 /// A state is valid if every closed cell that its position touches is free, and it is within the space's bounds.
 ///
-/// Any OMPL planner may use it; const, cache-free, thread-safe. HexAStar reads the occupancy behind it directly, with the
-/// same results.
+/// Any OMPL planner may use it; const, cache-free, thread-safe. HexAStar reads the occupancy behind it directly, with
+/// the same results.
 class OccupancyValidityChecker : public ompl::base::StateValidityChecker
 {
 public:

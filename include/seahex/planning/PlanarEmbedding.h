@@ -11,8 +11,9 @@ namespace seahex
 
 /// How the states of a space lie in the plane: the only place that looks at a space's type.
 ///
-/// Spaces: R^2 (RealVectorStateSpace of two dimensions) and SE(2) (SE2StateSpace itself; spaces derived from it, such as
-/// Dubins and Reeds-Shepp, do not move along straight lines and are refused). A small value; const functions, thread-safe.
+/// Spaces: R^2 (RealVectorStateSpace of two dimensions) and SE(2) (SE2StateSpace itself; spaces derived from it, such
+/// as Dubins and Reeds-Shepp, do not move along straight lines and are refused). A small value; const functions,
+/// thread-safe.
 class PlanarEmbedding
 {
 public:
@@ -32,8 +33,8 @@ public:
     /// The bounds of x and y.
     Box bounds() const;
 
-    /// What the space's distance charges for a unit of length in the plane: 1 for R^2, the weight of the first subspace for
-    /// SE(2).
+    /// What the space's distance charges for a unit of length in the plane: 1 for R^2, the weight of the first subspace
+    /// for SE(2).
     double lengthWeight() const;
 
 private:

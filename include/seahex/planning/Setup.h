@@ -14,8 +14,8 @@ namespace seahex
 /// A plain R^2 whose bounds are those of the occupancy's lattice.
 ompl::base::StateSpacePtr planarSpace(const HexOccupancy &occupancy);
 
-/// Makes a problem the occupancy's: validity checker, exact motion validator, and path length as the objective if there is
-/// none yet (some planners would otherwise write their own into the shared problem).
+/// Makes a problem the occupancy's: validity checker, exact motion validator, and path length as the objective if there
+/// is none yet (some planners would otherwise write their own into the shared problem).
 /// @throws ompl::Exception if the setup's space is not planar (PlanarEmbedding)
 void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const HexOccupancy> &occupancy);
 

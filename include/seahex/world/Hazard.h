@@ -13,19 +13,19 @@ namespace seahex
 /// How a chart object is judged: the column "rule" of the hazard catalogue. The judging itself is BlockingRule.
 enum class HazardRule
 {
-    Always,        ///< blocks whatever its attributes say (land, piles, shoreline construction)
-    DepthArea,     ///< DEPARE, DRGARE: blocks if DRVAL1 is less than the required depth; unknown DRVAL1 is -1 m
-    Sounding,      ///< SOUNDG: blocks if the depth is not more than the required depth; unknown blocks
-    Danger,        ///< OBSTRN, UWTROC, WRECKS: by VALSOU, and by the order of defaults where VALSOU is missing
-    MarineFarm,    ///< MARCUL: blocks unless always under water (WATLEV 3) at a known VALSOU beyond the required depth
-    Mooring,       ///< MORFAC: dolphins, bollards, tie-up walls, piles and mooring buoys block (CATMOR 1, 2, 3, 5, 7)
-    Pipeline,      ///< PIPSOL: blocks if DRVAL1 is known and not more than the required depth
-    ChartGap,      ///< water inside the coverage that no group 1 area describes: a chart fault, blocks
-    Caution,       ///< never blocks; worth a word to the navigator
-    Overhead,      ///< BRIDGE, CBLOHD, ...: reported where a route crosses it, not judged yet
-    Regulation,    ///< RESARE, TSSLPT, ...: reported where a route crosses it, not judged yet
-    Quality,       ///< M_QUAL and relatives: reported, not judged yet
-    Ignored        ///< says nothing about where a vessel may go (SWPARE, DEPCNT)
+    Always,      ///< blocks whatever its attributes say (land, piles, shoreline construction)
+    DepthArea,   ///< DEPARE, DRGARE: blocks if DRVAL1 is less than the required depth; unknown DRVAL1 is -1 m
+    Sounding,    ///< SOUNDG: blocks if the depth is not more than the required depth; unknown blocks
+    Danger,      ///< OBSTRN, UWTROC, WRECKS: by VALSOU, and by the order of defaults where VALSOU is missing
+    MarineFarm,  ///< MARCUL: blocks unless always under water (WATLEV 3) at a known VALSOU beyond the required depth
+    Mooring,     ///< MORFAC: dolphins, bollards, tie-up walls, piles and mooring buoys block (CATMOR 1 to 5, 7)
+    Pipeline,    ///< PIPSOL: blocks if DRVAL1 is known and not more than the required depth
+    ChartGap,    ///< water inside the coverage that no group 1 area describes: a chart fault, blocks
+    Caution,     ///< never blocks; worth a word to the navigator
+    Overhead,    ///< BRIDGE, CBLOHD, ...: reported where a route crosses it, not judged yet
+    Regulation,  ///< RESARE, TSSLPT, ...: reported where a route crosses it, not judged yet
+    Quality,     ///< M_QUAL and relatives: reported, not judged yet
+    Ignored      ///< says nothing about where a vessel may go (SWPARE, DEPCNT)
 };
 
 /// One attribute of a chart object, by its S-57 acronym. S-57's enumerations, lists and measures are all numbers.
@@ -46,8 +46,8 @@ struct HazardObject
     std::string name;                         ///< OBJNAM, may be empty
     std::vector<HazardAttribute> attributes;  ///< those that decide, as read; a missing one is unknown
 
-    /// Least DRVAL1 (metres, an unknown one counted as -1) of the DEPARE and DRGARE that the object touches; empty where
-    /// there is none, or where an unsurveyed area is touched too. Only filled for dangers.
+    /// Least DRVAL1 (metres, an unknown one counted as -1) of the DEPARE and DRGARE that the object touches; empty
+    /// where there is none, or where an unsurveyed area is touched too. Only filled for dangers.
     std::optional<double> surroundingDepthM;
 
     /// The value of a single-valued attribute, empty if it is unknown.

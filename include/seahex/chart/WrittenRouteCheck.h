@@ -1,0 +1,54 @@
+#pragma once
+
+#include <seahex/chart/ChartArena.h>
+#include <seahex/geometry/GeoPoint.h>
+#include <seahex/world/HazardIndex.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace seahex
+{
+
+/// What a written leg does wrong.
+struct LegFault
+{
+    std::size_t leg;   ///< 0-based: from waypoint `leg` to the next
+    std::string what;  ///< one sentence
+};
+
+/// Measures and checks a route as it is written: straight longitude-latitude lines between rounded waypoints, against
+/// the hazards' own geometry. Shares neither cells nor legs with the planning that made the route.
+///
+/// In an arena of degrees the hazards are projected a second time into metres for the distances.
+class WrittenRouteCheck
+{
+public:
+    /// @param chart  the chart the arena was made of
+    /// The arena must outlive the check.
+    WrittenRouteCheck(const Chart &chart, const ChartArena &arena);
+
+    /// The first leg that comes nearer to a blocking hazard than the arena's keep-out radius for it, or touches the
+    /// edge of the coverage or its margin; empty if all legs are clear.
+    std::optional<LegFault> firstFault(const std::vector<GeoPoint> &waypoints) const;
+
+    /// Least distance in metres from the line to a blocking hazard; infinite if there is none.
+    double leastClearanceM(const std::vector<GeoPoint> &waypoints) const;
+
+    /// The objects whose rules are not judged yet (overhead, regulation) which the line crosses, each once.
+    std::vector<const HazardObject *> crossedUnjudged(const std::vector<GeoPoint> &waypoints) const;
+
+private:
+    const ChartArena &arena_;
+    Projection metric_;               // the arena's frame where it has metres
+    std::vector<Hazard> ownHazards_;  // in metres, where the arena's are not
+    std::vector<Hazard> coverageEdge_;
+    HazardIndex blocking_;        // in the arena's frame: what must not be touched
+    HazardIndex blockingMetric_;  // in metres
+    HazardIndex unjudged_;        // in metres
+    double largestRadiusM_ = 0.0;
+};
+
+}  // namespace seahex

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <seahex/chart/Chart.h>
+
+#include <string>
+#include <vector>
+
+namespace seahex
+{
+
+/// One object of a cell while it is being read: still open to changes.
+struct DraftHazard
+{
+    HazardObject object;
+    Shape lonLat;
+};
+
+/// All that is known of one cell before it becomes part of a chart.
+struct CellContents
+{
+    CellReport report;
+    std::vector<DraftHazard> hazards;
+    std::vector<Polygon> coverage;    ///< the areas of M_COVR with CATCOV 1, as read
+    double gridUnitsPerDegree = 1e7;  ///< the grid on which its coordinates are whole numbers
+
+    void warn(const std::string &sentence) { report.warnings.push_back(sentence); }
+    void skip(const std::string &reason, const std::string &objectClass) { ++report.skipped[reason][objectClass]; }
+};
+
+/// The areas of the group 1 classes.
+std::vector<Polygon> groupOneAreas(const CellContents &cell);
+
+}  // namespace seahex

@@ -1,0 +1,229 @@
+#include "LayerReader.h"
+
+#include "OgrShape.h"
+#include "S57Classes.h"
+
+#include "seahex/chart/ChartError.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace seahex
+{
+namespace
+{
+
+// S-57's codes.
+constexpr int NO_GEOMETRY = 255;
+constexpr int COVERAGE_AVAILABLE = 1;
+constexpr int METRES = 1;
+
+/// An edge this long, straight in a projected frame, lies within some centimetres of the straight longitude-latitude
+/// edge between its ends (length squared, times the tangent of the latitude, over eight earth radii).
+constexpr double LONGEST_PROJECTED_EDGE_M = 500.0;
+
+bool canBlock(HazardRule rule)
+{
+    switch (rule)
+    {
+        case HazardRule::Always:
+        case HazardRule::DepthArea:
+        case HazardRule::Sounding:
+        case HazardRule::Danger:
+        case HazardRule::MarineFarm:
+        case HazardRule::Mooring:
+        case HazardRule::Pipeline:
+        case HazardRule::ChartGap:
+            return true;
+        case HazardRule::Caution:
+        case HazardRule::Overhead:
+        case HazardRule::Regulation:
+        case HazardRule::Quality:
+        case HazardRule::Ignored:
+            break;
+    }
+    return false;
+}
+
+/// The driver goes on with what it has of a geometry, and says so.
+bool tellsOfBrokenGeometry(const std::string &message)
+{
+    return message.find("missing geometry") != std::string::npos || message.find("corrupt") != std::string::npos ||
+           message.find("incomplete") != std::string::npos || message.find("empty geometry") != std::string::npos ||
+           message.find("spatial record") != std::string::npos;
+}
+
+double radiusOf(const Shape &shape, const HazardClass &row)
+{
+    double radiusM = 0.0;
+    if (!shape.points.empty())
+        radiusM = std::max(radiusM, row.pointRadiusM);
+    if (!shape.lines.empty())
+        radiusM = std::max(radiusM, row.lineRadiusM);
+    if (!shape.areas.empty())
+        radiusM = std::max(radiusM, row.areaRadiusM);
+    return radiusM;
+}
+
+bool isWgs84Degrees(const OGRSpatialReference &frame, const OGRSpatialReference &wgs84)
+{
+    const char *const ignoreAxes[] = {"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
+    return frame.IsGeographic() && frame.GetDataAxisToSRSAxisMapping() == wgs84.GetDataAxisToSRSAxisMapping() &&
+           frame.IsSame(&wgs84, ignoreAxes);
+}
+
+}  // namespace
+
+LayerReader::LayerReader(OGRLayer &layer, std::string objectClass, DriverMessages &messages, CellContents &cell)
+    : layer_(layer), objectClass_(std::move(objectClass)), messages_(messages), cell_(cell),
+      fields_(*layer.GetLayerDefn())
+{
+    const OGRSpatialReference *frame = layer_.GetSpatialRef();
+    if (frame == nullptr)
+    {
+        if (layer_.GetGeomType() != wkbNone)
+            cell_.warn("layer " + std::string(layer_.GetName()) + " of " + cell_.report.name +
+                       " names no coordinate system: its coordinates are taken as WGS-84 degrees");
+        return;
+    }
+    OGRSpatialReference wgs84;
+    wgs84.importFromEPSG(4326);
+    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    if (isWgs84Degrees(*frame, wgs84))
+        return;
+    toDegrees_.reset(OGRCreateCoordinateTransformation(frame, &wgs84));
+    if (!toDegrees_)
+        throw ChartUnsupported("layer " + std::string(layer_.GetName()) + " of " + cell_.report.name +
+                               " is in a coordinate system that can't be turned into WGS-84: " + messages_.last());
+    if (frame->IsProjected())
+        longestEdge_ = LONGEST_PROJECTED_EDGE_M / frame->GetLinearUnits();
+}
+
+void LayerReader::read()
+{
+    layer_.ResetReading();
+    for (;;)
+    {
+        messages_.listenAnew();
+        const OGRFeatureUniquePtr feature(layer_.GetNextFeature());
+        if (!feature)
+            break;
+        ++cell_.report.featuresRead;
+        readFeature(*feature, tellsOfBrokenGeometry(messages_.recent()));
+    }
+}
+
+void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
+{
+    if (objectClass_ == "M_UNIT")
+        readUnits(feature);
+    const bool isCoverage = objectClass_ == "M_COVR";
+    const HazardClass *row = findHazardClass(objectClass_);
+    if (row == nullptr && !isCoverage)
+        return cell_.skip(whyNotJudged(objectClass_), objectClass_);
+    if (row != nullptr && row->rule == HazardRule::Ignored)
+        return cell_.skip("ignored by rule", objectClass_);
+
+    const OGRGeometry *geometry = feature.GetGeometryRef();
+    const bool empty = geometry == nullptr || geometry->IsEmpty();
+    const bool matters = isCoverage || canBlock(row->rule);
+    if (matters && isBroken)
+        throw ChartDamaged(who(feature) + " has a broken geometry: " + messages_.recent());
+    if (matters && empty && isExpectedOnChart(feature))
+        throw ChartDamaged(who(feature) + " has no geometry");
+    if (empty)
+        return cell_.skip("no geometry", objectClass_);
+
+    if (isCoverage)
+        readCoverage(feature);
+    else if (row->rule == HazardRule::Sounding)
+        readSounding(feature, *row);
+    else
+        readHazard(feature, *row);
+}
+
+void LayerReader::readCoverage(const OGRFeature &feature)
+{
+    if (fields_.code(feature, "CATCOV") != COVERAGE_AVAILABLE)
+        return cell_.skip("no data within it (CATCOV is not 1)", objectClass_);
+    std::vector<Polygon> areas = toShape(*geometryInDegrees(feature), who(feature)).areas;
+    if (areas.empty())
+        return cell_.skip("coverage without an area", objectClass_);
+    std::move(areas.begin(), areas.end(), std::back_inserter(cell_.coverage));
+    ++cell_.report.featuresUsed;
+}
+
+void LayerReader::readUnits(const OGRFeature &feature)
+{
+    const std::optional<int> unit = fields_.code(feature, "DUNITS");
+    if (unit && *unit != METRES)
+        throw ChartUnsupported(who(feature) + " gives depths in another unit than metres: DUNITS is " +
+                               std::to_string(*unit));
+}
+
+void LayerReader::readSounding(const OGRFeature &feature, const HazardClass &row)
+{
+    const HazardObject whole = objectOf(feature, row);
+    const bool hasField = whole.value("DEPTH").has_value();
+    for (const PointWithHeight &point : pointsOf(*geometryInDegrees(feature), who(feature)))
+    {
+        DraftHazard sounding{whole, {}};
+        sounding.lonLat.points.push_back(point.position);
+        sounding.object.radiusM = row.pointRadiusM;
+        if (!hasField && point.hasHeight && std::isfinite(point.height))
+            sounding.object.attributes.push_back({"DEPTH", {point.height}});
+        cell_.hazards.push_back(std::move(sounding));
+    }
+    ++cell_.report.featuresUsed;
+}
+
+void LayerReader::readHazard(const OGRFeature &feature, const HazardClass &row)
+{
+    DraftHazard hazard{objectOf(feature, row), toShape(*geometryInDegrees(feature), who(feature))};
+    hazard.object.radiusM = radiusOf(hazard.lonLat, row);
+    cell_.hazards.push_back(std::move(hazard));
+    ++cell_.report.featuresUsed;
+}
+
+std::unique_ptr<OGRGeometry> LayerReader::geometryInDegrees(const OGRFeature &feature) const
+{
+    std::unique_ptr<OGRGeometry> geometry(feature.GetGeometryRef()->clone());
+    if (!toDegrees_)
+        return geometry;
+    if (longestEdge_ > 0.0)
+    {
+        if (geometry->hasCurveGeometry())
+            geometry.reset(geometry->getLinearGeometry(ARC_STEP_DEG));
+        geometry->segmentize(longestEdge_);
+    }
+    if (geometry->transform(toDegrees_.get()) != OGRERR_NONE)
+        throw ChartDamaged(who(feature) + " has coordinates that can't be turned into WGS-84: " + messages_.last());
+    return geometry;
+}
+
+/// S-57 marks objects that are meant to have no position; elsewhere every object is meant to have one.
+bool LayerReader::isExpectedOnChart(const OGRFeature &feature) const
+{
+    return fields_.code(feature, "PRIM").value_or(0) != NO_GEOMETRY;
+}
+
+HazardObject LayerReader::objectOf(const OGRFeature &feature, const HazardClass &row) const
+{
+    HazardObject object;
+    object.objectClass = objectClass_;
+    object.rule = row.rule;
+    object.cell = cell_.report.name;
+    object.featureId = fields_.id(feature);
+    object.name = fields_.name(feature);
+    object.attributes = fields_.attributes(feature);
+    return object;
+}
+
+std::string LayerReader::who(const OGRFeature &feature) const
+{
+    return objectClass_ + " " + fields_.id(feature) + " of '" + cell_.report.source + "'";
+}
+
+}  // namespace seahex

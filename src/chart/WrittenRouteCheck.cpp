@@ -1,0 +1,128 @@
+#include "seahex/chart/WrittenRouteCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace seahex
+{
+namespace
+{
+
+// How far the densified image of a written leg may lie from its true line.
+constexpr double lineToleranceM = 0.01;
+
+std::vector<Hazard> edgeOf(const Shape &coverage)
+{
+    auto object = std::make_shared<HazardObject>();
+    object->objectClass = "M_COVR";
+    object->name = "edge of the chart's coverage";
+    Hazard edge{object, {}};
+    for (const Polygon &area : coverage.areas)
+    {
+        edge.shape.lines.emplace_back(area.outer().begin(), area.outer().end());
+        for (const Ring &hole : area.inners())
+            edge.shape.lines.emplace_back(hole.begin(), hole.end());
+    }
+    return {edge};
+}
+
+std::set<const HazardObject *> blockingObjects(const ChartArena &arena)
+{
+    std::set<const HazardObject *> objects;
+    for (std::size_t i = 0; i < arena.hazards().size(); ++i)
+        if (arena.verdicts()[i].blocks())
+            objects.insert(arena.hazards()[i].object.get());
+    return objects;
+}
+
+HazardIndex indexOf(const std::vector<Hazard> &hazards, const std::set<const HazardObject *> &objects)
+{
+    return HazardIndex(hazards, [&objects](const Hazard &hazard) { return objects.count(hazard.object.get()) > 0; });
+}
+
+bool isUnjudged(const Hazard &hazard)
+{
+    return hazard.object->rule == HazardRule::Overhead || hazard.object->rule == HazardRule::Regulation;
+}
+
+/// Calls visit(leg, a, b) for every straight piece of the waypoints' image in a frame, until it returns false.
+template <class Visit>
+void forEachPiece(const std::vector<GeoPoint> &waypoints, const Projection &projection, Visit &&visit)
+{
+    for (std::size_t leg = 0; leg + 1 < waypoints.size(); ++leg)
+    {
+        const LineString line = projection.forward({waypoints[leg], waypoints[leg + 1]}, lineToleranceM);
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            if (!visit(leg, line[i], line[i + 1]))
+                return;
+    }
+}
+
+}  // namespace
+
+WrittenRouteCheck::WrittenRouteCheck(const Chart &chart, const ChartArena &arena)
+    : arena_(arena), metric_(arena.projection().isMetric() ? arena.projection()
+                                                           : Projection::transverseMercator(chart.bounds.centre())),
+      ownHazards_(arena.projection().isMetric() ? std::vector<Hazard>() : projectHazards(chart, metric_)),
+      coverageEdge_(edgeOf(arena.coverage())), blocking_(indexOf(arena.hazards(), blockingObjects(arena))),
+      blockingMetric_(indexOf(arena.projection().isMetric() ? arena.hazards() : ownHazards_, blockingObjects(arena))),
+      unjudged_(arena.projection().isMetric() ? arena.hazards() : ownHazards_, isUnjudged)
+{
+    if (arena.projection().isMetric())
+        for (std::size_t i = 0; i < arena.hazards().size(); ++i)
+            if (arena.verdicts()[i].blocks())
+                largestRadiusM_ = std::max(largestRadiusM_, keepOutRadiusM(*arena.hazards()[i].object, arena.vessel()));
+}
+
+std::optional<LegFault> WrittenRouteCheck::firstFault(const std::vector<GeoPoint> &waypoints) const
+{
+    const HazardIndex edge(coverageEdge_, [](const Hazard &) { return true; });
+    const bool metric = arena_.projection().isMetric();
+    const double margin = metric ? arena_.vessel().marginM : 0.0;
+    std::optional<LegFault> fault;
+    forEachPiece(waypoints, arena_.projection(),
+                 [&](std::size_t leg, const Point &a, const Point &b)
+                 {
+                     for (const HazardIndex::Near &near : blocking_.within(a, b, largestRadiusM_))
+                     {
+                         const double radius = metric ? keepOutRadiusM(*near.hazard->object, arena_.vessel()) : 0.0;
+                         if (near.distance <= radius)
+                             fault = LegFault{leg, "comes within " + std::to_string(near.distance) + " m of " +
+                                                       describe(*near.hazard->object)};
+                     }
+                     if (!fault && !edge.within(a, b, margin).empty())
+                         fault = LegFault{leg, "touches the edge of the chart's coverage"};
+                     return !fault;
+                 });
+    return fault;
+}
+
+double WrittenRouteCheck::leastClearanceM(const std::vector<GeoPoint> &waypoints) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    forEachPiece(waypoints, metric_,
+                 [&](std::size_t, const Point &a, const Point &b)
+                 {
+                     least = std::min(least, blockingMetric_.nearest(a, b).distance);
+                     return least > 0.0;
+                 });
+    return least;
+}
+
+std::vector<const HazardObject *> WrittenRouteCheck::crossedUnjudged(const std::vector<GeoPoint> &waypoints) const
+{
+    std::vector<const HazardObject *> crossed;
+    forEachPiece(waypoints, metric_,
+                 [&](std::size_t, const Point &a, const Point &b)
+                 {
+                     for (const HazardIndex::Near &near : unjudged_.within(a, b, ChartArena::growthM))
+                         if (std::find(crossed.begin(), crossed.end(), near.hazard->object.get()) == crossed.end())
+                             crossed.push_back(near.hazard->object.get());
+                     return true;
+                 });
+    return crossed;
+}
+
+}  // namespace seahex

@@ -1,0 +1,86 @@
+#include "planning/ProblemLattice.h"
+
+#include "seahex/planning/OccupancyMotionValidator.h"
+#include "seahex/planning/OccupancyValidityChecker.h"
+#include "seahex/world/CellBits.h"
+
+#include <ompl/util/Exception.h>
+
+#include <string>
+#include <typeinfo>
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace seahex
+{
+namespace
+{
+
+constexpr std::int64_t mostCells = 1000000;
+
+/// The object as exactly this class; nullptr if it is of another, derived ones included.
+template <class Class, class Base>
+const Class *exactly(const Base *object)
+{
+    return object != nullptr && typeid(*object) == typeid(Class) ? static_cast<const Class *>(object) : nullptr;
+}
+
+}  // namespace
+
+std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &si)
+{
+    const auto *checker = exactly<OccupancyValidityChecker>(si.getStateValidityChecker().get());
+    const auto *validator = exactly<OccupancyMotionValidator>(si.getMotionValidator().get());
+    if (checker == nullptr || validator == nullptr || checker->occupancy() != validator->occupancy())
+        return nullptr;
+    return checker->occupancy();
+}
+
+std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const HexOccupancy> &occupancy, const Box &box)
+{
+    const HexLattice &lattice = occupancy->lattice();
+    const Box whole = lattice.bounds();
+    if (box.contains(whole.min) && box.contains(whole.max))
+        return occupancy;
+    const auto isOutside = [&](std::int64_t column, std::int64_t row)
+    {
+        return !box.contains(lattice.centre(toCube({column, row})));
+    };
+    CellBits bits(occupancy->layout());
+    bits.words() = occupancy->words();
+    for (std::int64_t row = 0; row < lattice.rows(); ++row)
+    {
+        std::int64_t first = 0;
+        std::int64_t last = lattice.columns() - 1;
+        while (first <= last && isOutside(first, row))
+            ++first;
+        while (last >= first && isOutside(last, row))
+            --last;
+        bits.setSpan(row, 0, first - 1);
+        bits.setSpan(row, last + 1, lattice.columns() - 1);
+    }
+    if (bits.words() == occupancy->words())
+        return occupancy;
+    return std::make_shared<const HexOccupancy>(lattice, occupancy->layout(), std::move(bits.words()));
+}
+
+HexLattice layLattice(const Box &bounds, double requestedCellSize)
+{
+    const Point extent = bounds.max - bounds.min;
+    const double pitch = requestedCellSize > 0.0 ? requestedCellSize : extent.maxCoeff() / 200.0;
+    // Estimated first: the number of cells of a tiny pitch is beyond any lattice.
+    double cells = (extent.x() / pitch) * (extent.y() / pitch);
+    if (cells <= 2.0 * static_cast<double>(mostCells))
+    {
+        const HexLattice lattice = HexLattice::covering(bounds, pitch);
+        if (lattice.cellCount() <= mostCells)
+            return lattice;
+        cells = static_cast<double>(lattice.cellCount());
+    }
+    throw ompl::Exception("HexAStar", "a cell size of " + std::to_string(pitch) + " makes about " +
+                                          std::to_string(cells) + " cells; at most " + std::to_string(mostCells) +
+                                          " are allowed");
+}
+
+}  // namespace seahex
