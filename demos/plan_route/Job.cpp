@@ -1,0 +1,171 @@
+#include "Job.h"
+
+#include "Failure.h"
+#include "Navigable.h"
+#include "PlannerCatalogue.h"
+#include "Scenario.h"
+
+#include <seahex/chart/ChartError.h>
+#include <seahex/chart/ChartReader.h>
+#include <seahex/chart/WrittenRouteCheck.h>
+#include <seahex/planning/HexAStar.h>
+#include <seahex/planning/LatticeLengthObjective.h>
+#include <seahex/planning/RouteFromPath.h>
+#include <seahex/planning/Setup.h>
+#include <seahex/route/RouteSmoother.h>
+
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <chrono>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace plan_route
+{
+namespace
+{
+
+std::shared_ptr<const seahex::Chart> readChart(const Options &options)
+{
+    try
+    {
+        return std::make_shared<const seahex::Chart>(seahex::readChart(options.charts));
+    }
+    catch (const seahex::ChartError &error)
+    {
+        throw Failure(Exit::Chart, error.what());
+    }
+}
+
+std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, const seahex::Chart &chart)
+{
+    seahex::ArenaOptions arena;
+    arena.vessel = options.vessel;
+    arena.pitch = options.pitch;
+    if (options.chengScenario)
+    {
+        arena.projection = seahex::Projection::plateCarree();
+        arena.lattice = cheng2020::lattice(options.pitch);
+        arena.scope = seahex::HazardScope::LandOnly;
+    }
+    try
+    {
+        auto made = std::make_shared<const seahex::ChartArena>(chart, arena);
+        const seahex::HexOccupancy &occupancy = *made->occupancy();
+        if (occupancy.blockedCount() == occupancy.lattice().cellCount())
+            throw Failure(Exit::Chart, "the chart has no navigable cell: all " +
+                                           std::to_string(occupancy.blockedCount()) +
+                                           " cells are blocked for a vessel that needs " +
+                                           std::to_string(options.vessel.requiredDepthM()) + " m of water");
+        return made;
+    }
+    catch (const std::domain_error &error)
+    {
+        throw Failure(Exit::Usage, error.what());
+    }
+    catch (const std::length_error &error)
+    {
+        throw Failure(Exit::Usage, std::string("--pitch is too small: ") + error.what());
+    }
+}
+
+/// The planner's path; counters and trace go into the result.
+seahex::Route search(const Options &options, Result &result)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
+    ompl::RNG::setSeed(options.seed);
+    const auto &occupancy = result.arena->occupancy();
+    og::SimpleSetup setup(seahex::planarSpace(*occupancy));
+    const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
+    if (options.metric == seahex::LengthMetric::Lattice)
+        setup.setOptimizationObjective(std::make_shared<seahex::LatticeLengthObjective>(si, occupancy->lattice()));
+    seahex::useOccupancy(setup, occupancy);
+    seahex::setStartAndGoal(setup, result.arena->projection().forward(options.from),
+                            result.arena->projection().forward(options.to));
+    const ob::PlannerPtr planner = makePlanner(options.planner, si);
+    setup.setPlanner(planner);
+    auto *hex = dynamic_cast<seahex::HexAStar *>(planner.get());
+    if (hex != nullptr)
+    {
+        hex->setRings(options.rings);
+        hex->setGuidance(options.guidance);
+        hex->setAllJumps(options.chengScenario);
+        hex->setTracing(!options.picture.empty());
+    }
+    setup.setup();
+
+    const auto begin = std::chrono::steady_clock::now();
+    const ob::PlannerStatus status = planner->solve(options.timeS);
+    result.searchMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    if (hex != nullptr)
+    {
+        result.expanded = hex->counters().expanded;
+        result.searchMs = hex->searchMs();
+        for (const seahex::HexCoord cell : hex->trace())
+            result.trace.push_back(occupancy->layout().index(cell));
+        if (hex->outcome() == seahex::PlanningOutcome::Exhausted)
+            throw Failure(Exit::NoRoute,
+                          "no route at a cell size of " + std::to_string(occupancy->lattice().pitch()) +
+                              (options.chengScenario ? " degrees" : " m") +
+                              ": start and goal lie in separate waters; a finer --pitch may open a passage");
+    }
+    if (status != ob::PlannerStatus::EXACT_SOLUTION)
+        throw Failure(Exit::OutOfTime, options.planner + " found no route within " + std::to_string(options.timeS) +
+                                           " s (" + status.asString() + "); more --time may help");
+    return seahex::routeFromPath(setup.getSolutionPath());
+}
+
+MeasuredRoute measure(const Options &options, const Result &result, const seahex::WrittenRouteCheck &check,
+                      const seahex::Route &route, seahex::CountedLegs counted)
+{
+    MeasuredRoute measured;
+    measured.plane = route;
+    measured.written = seahex::toGeoRoute(route, result.arena->projection(), options.from, options.to);
+    measured.metrics = seahex::measureRoute(route, *result.arena->occupancy(), counted);
+    measured.metrics.lengthM = seahex::rhumbLengthM(measured.written);
+    measured.metrics.minClearanceM = check.leastClearanceM(measured.written.waypoints);
+    measured.crosses = check.crossedUnjudged(measured.written.waypoints);
+    return measured;
+}
+
+}  // namespace
+
+Result planRoute(const Options &options, Progress &progress)
+{
+    Result result;
+    progress.stage("reading the chart");
+    result.chart = readChart(options);
+    progress.stage("filling cells");
+    result.arena = makeArena(options, *result.chart);
+    result.startCell = navigableCell(*result.chart, *result.arena, options.from, "start");
+    result.goalCell = navigableCell(*result.chart, *result.arena, options.to, "goal");
+
+    progress.stage("searching with " + options.planner);
+    const seahex::Route path = search(options, result);
+    progress.stage("smoothing and checking");
+    const seahex::WrittenRouteCheck check(*result.chart, *result.arena);
+    const bool onCentres = options.planner == "HexAStar";
+    result.raw = measure(options, result, check, path,
+                         onCentres ? seahex::CountedLegs::BetweenCentres : seahex::CountedLegs::All);
+    if (const auto fault = check.firstFault(result.raw.written.waypoints))
+        throw Failure(Exit::NoRoute, "leg " + std::to_string(fault->leg + 1) + " of the path as written " +
+                                         fault->what + "; no route is given");
+    if (options.smoothing)
+    {
+        const seahex::Route pulled = seahex::pullString(path, *result.arena->occupancy());
+        MeasuredRoute smoothed = measure(options, result, check, pulled, seahex::CountedLegs::All);
+        // Shorter in the plane may be longer on the ellipsoid where the gain is tiny; a written leg may come nearer to
+        // a hazard than the line it was made from. Either way the path itself is the better route.
+        constexpr double rounding = 1e-7;  // of written positions, as a share of the length
+        if (smoothed.metrics.lengthM > result.raw.metrics.lengthM * (1.0 + rounding) ||
+            check.firstFault(smoothed.written.waypoints))
+            smoothed = measure(options, result, check, path, seahex::CountedLegs::All);
+        result.smoothed = std::move(smoothed);
+    }
+    return result;
+}
+
+}  // namespace plan_route

@@ -1,0 +1,242 @@
+#include "Options.h"
+
+#include "Failure.h"
+#include "PlannerCatalogue.h"
+#include "Scenario.h"
+
+#include <seahex/io/PositionParser.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace plan_route
+{
+namespace
+{
+
+const char *const description =
+    "Plans a safe route for a surface vessel on a nautical chart.\n"
+    "NOT FOR NAVIGATION: bridges, overhead cables, restricted areas and traffic rules are reported, not yet obeyed.";
+
+const char *const footer =
+    "Exit codes: 0 a route; 2 usage; 3 chart unreadable, damaged or without water; 4 start or goal not navigable;\n"
+    "            5 no route at this cell size; 6 out of time; 1 internal error.\n"
+    "Examples:\n"
+    "  plan_route --chart maps/shangchuan.000 --from 21.635,112.521 --to 21.669,112.901 --picture route.svg\n"
+    "  plan_route --chart ENC_ROOT --from \"42 20.5N, 70 53.2W\" --to \"42 16.0N, 70 50.0W\" --draught 2 --margin 25 "
+    "--json\n"
+    "  plan_route --scenario cheng2020 --rings 1";
+
+/// The texts of the command line, before they are checked.
+struct Texts
+{
+    std::string from;
+    std::string to;
+    std::string pitch = "auto";
+    std::string guidance;
+    std::string metric;
+    std::string scenario;
+    bool noSmoothing = false;
+};
+
+void declare(CLI::App &app, Options &o, Texts &t)
+{
+    app.footer(footer);
+    app.add_option("--chart", o.charts,
+                   "S-57 cell (.000; updates beside it are applied), folder of cells, or any OGR source whose "
+                   "layers bear S-57 names; several may be given")
+        ->type_name("FILE|FOLDER...");
+    app.add_option("--from", t.from, "start: latitude,longitude in degrees or degrees and minutes")
+        ->type_name("LAT,LON");
+    app.add_option("--to", t.to, "goal")->type_name("LAT,LON");
+    app.add_option("--draught", o.vessel.draughtM, "draught of the vessel, metres")
+        ->capture_default_str()
+        ->type_name("M");
+    app.add_option("--ukc", o.vessel.underKeelClearanceM, "water that must remain under the keel, metres")
+        ->capture_default_str()
+        ->type_name("M");
+    app.add_option("--margin", o.vessel.marginM, "least distance to any hazard, metres")
+        ->capture_default_str()
+        ->type_name("M");
+    app.add_option("--pitch", t.pitch,
+                   "width of a cell, metres (degrees with --scenario); auto: the larger of 20 m and what "
+                   "gives 4 million cells")
+        ->capture_default_str()
+        ->type_name("M|auto");
+    app.add_option("--rings", o.rings, "rings of successors, 1, 2 or 3: 6, 18 or 36 of them")
+        ->capture_default_str()
+        ->type_name("N");
+    app.add_option("--guidance", t.guidance,
+                   "what leads the search: none, distance, cheng (as published) or tie_break "
+                   "[distance]")
+        ->type_name("NAME");
+    app.add_option("--metric", t.metric,
+                   "what an edge costs: euclidean (metres) or lattice (steps between cells) [euclidean]")
+        ->type_name("NAME");
+    app.add_option("--planner", o.planner, "HexAStar, or one of OMPL's on the same arena: " + plannerNames())
+        ->capture_default_str()
+        ->type_name("NAME");
+    app.add_option("--time", o.timeS, "time limit of the search, seconds; sampling planners use all of it")
+        ->capture_default_str()
+        ->type_name("S");
+    app.add_option("--seed", o.seed, "seed of sampling planners")->capture_default_str()->type_name("N");
+    app.add_flag("--no-smoothing", t.noSmoothing, "leave the planner's path as it is");
+    app.add_option("--out", o.out, "write the route as GeoJSON")->type_name("FILE");
+    app.add_flag("--blocked-cells", o.blockedCells, "put the blocked cells into that file too (large)");
+    app.add_option("--picture", o.picture, "draw chart, cells and route")->type_name("FILE.svg|FILE.png");
+    app.add_flag("--json", o.json, "print one JSON object instead of text");
+    app.add_option("--scenario", t.scenario,
+                   "cheng2020: the published chart window, lattice in degrees, start, goal, metric and "
+                   "guidance, land only; other options win")
+        ->type_name("NAME");
+}
+
+[[noreturn]] void usage(const std::string &message)
+{
+    throw Failure(Exit::Usage, message);
+}
+
+seahex::GeoPoint position(const std::string &option, const std::string &text)
+{
+    if (text.empty())
+        usage(option + " is missing: a position such as 21.635,112.521 is needed");
+    try
+    {
+        return seahex::parsePosition(text);
+    }
+    catch (const seahex::PositionError &error)
+    {
+        usage(option + ": " + error.what());
+    }
+}
+
+double parsePitch(const std::string &text)
+{
+    if (text == "auto")
+        return 0.0;
+    double pitch = 0.0;
+    if (!CLI::detail::lexical_cast(text, pitch) || !std::isfinite(pitch) || pitch <= 0.0)
+        usage("--pitch must be a positive number of metres or auto, not '" + text + "'");
+    return pitch;
+}
+
+void checkNumbers(const Options &o)
+{
+    const auto notNegative = [](const char *option, double value, const char *unit)
+    {
+        if (!std::isfinite(value) || value < 0.0)
+            usage(std::string(option) + " must be 0 or more " + unit + ", not " + std::to_string(value));
+    };
+    notNegative("--draught", o.vessel.draughtM, "metres");
+    notNegative("--ukc", o.vessel.underKeelClearanceM, "metres");
+    notNegative("--margin", o.vessel.marginM, "metres");
+    notNegative("--time", o.timeS, "seconds");
+    if (o.rings < 1 || o.rings > 3)
+        usage("--rings must be 1, 2 or 3, not " + std::to_string(o.rings));
+    if (!isPlannerName(o.planner))
+        usage("--planner: there is no planner '" + o.planner + "'; known are HexAStar, " + plannerNames());
+}
+
+void checkFiles(const Options &o)
+{
+    const auto checkFolder = [](const char *option, const std::string &file)
+    {
+        if (file.empty())
+            return;
+        std::error_code ignored;
+        const std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
+        if (!std::filesystem::is_directory(folder, ignored))
+            usage(std::string(option) + ": there is no folder " + folder.string());
+    };
+    checkFolder("--out", o.out);
+    checkFolder("--picture", o.picture);
+    if (o.blockedCells && o.out.empty())
+        usage("--blocked-cells needs --out");
+    if (o.picture.empty())
+        return;
+    const std::string extension = std::filesystem::path(o.picture).extension().string();
+    if (extension != ".svg" && extension != ".png" && extension != ".SVG" && extension != ".PNG")
+        usage("--picture must end in .svg or .png, not '" + o.picture + "'");
+}
+
+void applyScenario(const CLI::App &app, Options &o, Texts &t)
+{
+    if (t.scenario.empty())
+        return;
+    if (t.scenario != "cheng2020")
+        usage("--scenario: there is no scenario '" + t.scenario + "'; known is cheng2020");
+    for (const char *option : {"--draught", "--ukc"})
+        if (app.count(option) > 0)
+            usage(std::string(option) + " has no meaning with --scenario cheng2020, which knows land only");
+    if (o.vessel.marginM != 0.0)
+        usage("--margin in metres has no meaning with --scenario cheng2020, whose frame is in degrees");
+    o.chengScenario = true;
+    if (o.charts.empty())
+        o.charts = {ownChart(cheng2020::chart)};
+    if (t.from.empty())
+        t.from = cheng2020::from;
+    if (t.to.empty())
+        t.to = cheng2020::to;
+    if (t.guidance.empty())
+        t.guidance = "cheng";
+    if (t.metric.empty())
+        t.metric = "lattice";
+}
+
+void resolve(const CLI::App &app, Options &o, Texts &t)
+{
+    applyScenario(app, o, t);
+    if (o.charts.empty())
+        usage("--chart is missing: a chart file or folder is needed");
+    o.from = position("--from", t.from);
+    o.to = position("--to", t.to);
+    o.pitch = parsePitch(t.pitch);
+    o.smoothing = !t.noSmoothing;
+    const std::string guidance = t.guidance.empty() ? "distance" : t.guidance;
+    if (!seahex::guidanceFromString(guidance))
+        usage("--guidance must be none, distance, cheng or tie_break, not '" + guidance + "'");
+    o.guidance = *seahex::guidanceFromString(guidance);
+    const std::string metric = t.metric.empty() ? "euclidean" : t.metric;
+    if (metric != "euclidean" && metric != "lattice")
+        usage("--metric must be euclidean or lattice, not '" + metric + "'");
+    o.metric = metric == "lattice" ? seahex::LengthMetric::Lattice : seahex::LengthMetric::Euclidean;
+    checkNumbers(o);
+    checkFiles(o);
+}
+
+}  // namespace
+
+CommandLine readCommandLine(int argc, const char *const *argv)
+{
+    Options options;
+    Texts texts;
+    CLI::App app(description, "plan_route");
+    declare(app, options, texts);
+    try
+    {
+        app.parse(argc, argv);
+    }
+    catch (const CLI::CallForHelp &)
+    {
+        return {std::nullopt, app.help()};
+    }
+    catch (const CLI::ParseError &error)
+    {
+        usage(error.what());
+    }
+    resolve(app, options, texts);
+    return {options, ""};
+}
+
+bool wantsJson(int argc, const char *const *argv)
+{
+    for (int i = 1; i < argc; ++i)
+        if (std::strcmp(argv[i], "--json") == 0)
+            return true;
+    return false;
+}
+
+}  // namespace plan_route

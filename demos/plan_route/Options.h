@@ -1,0 +1,51 @@
+#pragma once
+
+#include <seahex/geometry/GeoPoint.h>
+#include <seahex/search/Guidance.h>
+#include <seahex/search/LengthWeight.h>
+#include <seahex/world/Vessel.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plan_route
+{
+
+/// The command line, checked and with defaults filled in.
+struct Options
+{
+    std::vector<std::string> charts;
+    seahex::GeoPoint from = seahex::GeoPoint::fromLatLon(0.0, 0.0);
+    seahex::GeoPoint to = seahex::GeoPoint::fromLatLon(0.0, 0.0);
+    seahex::Vessel vessel;
+    double pitch = 0.0;  ///< metres, or degrees in a scenario's frame; 0: automatic
+    int rings = 3;
+    seahex::Guidance guidance = seahex::Guidance::Distance;
+    seahex::LengthMetric metric = seahex::LengthMetric::Euclidean;
+    std::string planner = "HexAStar";
+    double timeS = 10.0;
+    std::uint32_t seed = 1;
+    bool smoothing = true;
+    std::string out;
+    bool blockedCells = false;
+    std::string picture;
+    bool json = false;
+    bool chengScenario = false;
+};
+
+/// What came of reading the command line.
+struct CommandLine
+{
+    std::optional<Options> options;  ///< empty: the text was asked for (help, version)
+    std::string text;
+};
+
+/// @throws Failure (Exit::Usage) with one sentence
+CommandLine readCommandLine(int argc, const char *const *argv);
+
+/// True if --json is among the arguments: failures are then printed as an object.
+bool wantsJson(int argc, const char *const *argv);
+
+}  // namespace plan_route
