@@ -14,14 +14,22 @@ double largestCoordinate(const Point &p)
     return p.cwiseAbs().maxCoeff();
 }
 
+/// Far beyond any lattice a row or column is only known to be far.
+std::int64_t toIndex(double value)
+{
+    constexpr double farthest = 0x1p60;
+    return static_cast<std::int64_t>(std::clamp(value, -farthest, farthest));
+}
+
 }  // namespace
 
 SegmentSpans::SegmentSpans(const HexLattice &lattice, const Point &a, const Point &b, double radius)
-  : pitch_(lattice.pitch()), side_(lattice.side())
+    : pitch_(lattice.pitch()), side_(lattice.side())
 {
     tolerance_ = 1e-9 * std::max({largestCoordinate(a), largestCoordinate(b), largestCoordinate(lattice.northWest()),
                                   lattice.pitch()});
-    // Half of the tolerance is spent here on being a superset; the other half covers nearly level segments and rounding.
+    // Half of the tolerance is spent here on being a superset; the other half covers nearly level segments and
+    // rounding.
     reach_ = radius + 0.5 * tolerance_;
 
     // One order of the ends for both directions, so that all arithmetic below is the same.
@@ -31,8 +39,8 @@ SegmentSpans::SegmentSpans(const HexLattice &lattice, const Point &a, const Poin
     low_ = Point(north.x() - lattice.northWest().x(), lattice.northWest().y() - north.y());
     high_ = Point(south.x() - lattice.northWest().x(), lattice.northWest().y() - south.y());
 
-    // The hexagon's corner, pushed out by the disc, that goes farthest along the segment's normal. Its mirror image goes
-    // farthest the other way.
+    // The hexagon's corner, pushed out by the disc, that goes farthest along the segment's normal. Its mirror image
+    // goes farthest the other way.
     const Point d = high_ - low_;
     const double length = d.norm();
     const Point normal = length > 0.0 ? Point(d.y() / length, -d.x() / length) : Point(1.0, 0.0);
@@ -47,8 +55,8 @@ SegmentSpans::SegmentSpans(const HexLattice &lattice, const Point &a, const Poin
 
     const double above = (low_.y() - side_ - reach_) / side_;
     const double below = (high_.y() + side_ + reach_) / side_;
-    firstRow_ = static_cast<std::int64_t>(std::ceil((above - 1.0) / 1.5));
-    lastRow_ = static_cast<std::int64_t>(std::floor((below - 1.0) / 1.5));
+    firstRow_ = toIndex(std::ceil((above - 1.0) / 1.5));
+    lastRow_ = toIndex(std::floor((below - 1.0) / 1.5));
 }
 
 double SegmentSpans::halfWidth(double offset) const
@@ -111,8 +119,7 @@ RowSpan SegmentSpans::span(std::int64_t row) const
     if (east < west)
         return {row, 0, -1};
     const double first = (row & 1) != 0 ? 0.5 : 1.0;  // centre of column 0, in pitches
-    return {row, static_cast<std::int64_t>(std::ceil(west / pitch_ - first)),
-            static_cast<std::int64_t>(std::floor(east / pitch_ - first))};
+    return {row, toIndex(std::ceil(west / pitch_ - first)), toIndex(std::floor(east / pitch_ - first))};
 }
 
 namespace

@@ -38,6 +38,9 @@ void PlanarEmbedding::place(ob::State *state, const Point &position, double head
         auto *pose = state->as<ob::SE2StateSpace::StateType>();
         pose->setXY(position.x(), position.y());
         pose->setYaw(heading);
+        // due west is pi for atan2 and -pi for this space, which asserts that states are within its bounds
+        const auto *poses = space_->as<ob::SE2StateSpace>();
+        poses->as<ob::SO2StateSpace>(1)->enforceBounds(pose->components[1]);
         return;
     }
     double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;

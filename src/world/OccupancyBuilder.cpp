@@ -3,9 +3,36 @@
 #include "seahex/geometry/HexTraversal.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace seahex
 {
+namespace
+{
+
+/// A coordinate that is not a number would compare false with everything and block nothing, silently.
+void requireFinite(const Shape &shape)
+{
+    bool finite = true;
+    const auto look = [&finite](const auto &points)
+    {
+        for (const Point &p : points)
+            finite = finite && p.allFinite();
+    };
+    look(shape.points);
+    for (const LineString &line : shape.lines)
+        look(line);
+    for (const Polygon &area : shape.areas)
+    {
+        look(area.outer());
+        for (const Ring &hole : area.inners())
+            look(hole);
+    }
+    if (!finite)
+        throw std::domain_error("a shape to be blocked has a coordinate that is not a number");
+}
+
+}  // namespace
 
 OccupancyBuilder::OccupancyBuilder(const HexLattice &lattice)
     : lattice_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
@@ -26,6 +53,7 @@ void OccupancyBuilder::blockNear(const Point &a, const Point &b, double radius)
 
 void OccupancyBuilder::block(const Shape &shape, double radius)
 {
+    requireFinite(shape);
     for (const Point &point : shape.points)
         blockNear(point, point, radius);
     // a line or ring of a single point has no segment that would stand for it
@@ -49,6 +77,7 @@ void OccupancyBuilder::block(const Shape &shape, double radius)
 void OccupancyBuilder::blockOutside(const std::vector<Polygon> &areas, double radius)
 {
     CellBits inside(bits_.layout());
+    requireFinite({{}, {}, areas});
     for (const Polygon &area : areas)
         fill_.fill(area, inside);
     for (std::size_t i = 0; i < bits_.words().size(); ++i)

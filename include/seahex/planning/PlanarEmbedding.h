@@ -24,7 +24,8 @@ public:
     /// x and y of a state.
     Point position(const ompl::base::State *state) const;
 
-    /// Sets x and y of a state, and its yaw (radians, mathematical) where the space has one.
+    /// Sets x and y of a state, and its yaw (radians, mathematical; any multiple of a turn) where the space has
+    /// one.
     void place(ompl::base::State *state, const Point &position, double heading = 0.0) const;
 
     /// True if states have a yaw.

@@ -26,10 +26,12 @@ public:
 
     /// Blocks every cell within `radius` of the shape (points, lines, filled areas).
     /// @param radius  >= 0, in the plane's unit
+    /// @throws std::domain_error if a coordinate is not a number: better no occupancy than one with a hole
     void block(const Shape &shape, double radius);
 
     /// Blocks every cell that is not wholly inside the areas, or comes within `radius` of their boundary. The areas must
-    /// not overlap or share boundaries (unite them first): a seam between two of them would be blocked.
+    /// not overlap or share boundaries (unite them first): a seam between two of them would be blocked. Nor may they cross themselves.
+    /// @throws std::domain_error if a coordinate is not a number
     void blockOutside(const std::vector<Polygon> &areas, double radius);
 
     /// The occupancy of what was blocked so far.

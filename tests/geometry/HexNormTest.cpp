@@ -1,0 +1,130 @@
+#include <seahex/geometry/HexNorm.h>
+#include <seahex/geometry/HexRing.h>
+
+#include "support/ExplicitGraph.h"
+#include "support/Random.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+using namespace seahex;
+using namespace seahex::test;
+
+namespace
+{
+
+double euclideanLength(HexCoord d)
+{
+    const auto q = static_cast<double>(d.q);
+    const auto s = static_cast<double>(d.s);
+    return std::sqrt(q * q + q * s + s * s);
+}
+
+/// Least costs from the middle of a window of cells without obstacles, jump by jump.
+class OpenWindow
+{
+public:
+    explicit OpenWindow(int rings) : graph_(static_cast<std::size_t>(width * width))
+    {
+        for (std::int64_t q = -half; q <= half; ++q)
+            for (std::int64_t s = -half; s <= half; ++s)
+                for (const RingOffset &jump : ringOffsets(rings))
+                    if (contains(HexCoord{q, s} + jump.offset))
+                        graph_.addEdge(vertex({q, s}), vertex(HexCoord{q, s} + jump.offset),
+                                       euclideanLength(jump.offset));
+        costs_ = graph_.costsFrom({{vertex({0, 0}), 0.0}});
+    }
+
+    double costTo(HexCoord d) const { return costs_[vertex(d)]; }
+
+private:
+    static constexpr std::int64_t half = 20;
+    static constexpr std::int64_t width = 2 * half + 1;
+
+    static bool contains(HexCoord d) { return std::abs(d.q) <= half && std::abs(d.s) <= half; }
+    static std::size_t vertex(HexCoord d) { return static_cast<std::size_t>((d.s + half) * width + d.q + half); }
+
+    ExplicitGraph graph_;
+    std::vector<double> costs_;
+};
+
+}  // namespace
+
+TEST(HexNorm, ringNormIsTheCostOfTheCheapestChainOfJumps)
+{
+    for (const int rings : {1, 2, 3})
+    {
+        const OpenWindow window(rings);
+        for (std::int64_t q = -16; q <= 16; ++q)
+            for (std::int64_t s = -16; s <= 16; ++s)
+                ASSERT_NEAR(ringNorm({q, s}, rings), window.costTo({q, s}), 1e-9)
+                    << "rings " << rings << ", difference " << q << ", " << s;
+    }
+}
+
+TEST(HexNorm, ringNormIsANorm)
+{
+    // With the triangle inequality, and no jump shorter than its norm, no chain of jumps beats it, however long.
+    Random random(1);
+    SCOPED_TRACE(random.seedText());
+    for (const int rings : {1, 2, 3})
+    {
+        for (const RingOffset &jump : ringOffsets(rings))
+            EXPECT_NEAR(ringNorm(jump.offset, rings), euclideanLength(jump.offset), 1e-12);
+        for (int i = 0; i < 20000; ++i)
+        {
+            const std::int64_t size = i % 2 == 0 ? 5 : 1000000;
+            const HexCoord u{random.integer(-size, size), random.integer(-size, size)};
+            const HexCoord v{random.integer(-size, size), random.integer(-size, size)};
+            const double sum = ringNorm(u, rings) + ringNorm(v, rings);
+            ASSERT_LE(ringNorm(u + v, rings), sum * (1.0 + 1e-14)) << u.q << "," << u.s << " " << v.q << "," << v.s;
+            ASSERT_NEAR(ringNorm(7 * u, rings), 7 * ringNorm(u, rings), 1e-9 * sum);
+            ASSERT_EQ(ringNorm(-1 * u, rings), ringNorm(u, rings));
+        }
+    }
+}
+
+TEST(HexNorm, moreRingsComeCloserToTheStraightLine)
+{
+    Random random(2);
+    SCOPED_TRACE(random.seedText());
+    for (int i = 0; i < 1000; ++i)
+    {
+        const HexCoord d{random.integer(-50, 50), random.integer(-50, 50)};
+        EXPECT_LE(ringNorm(d, 2), ringNorm(d, 1) + 1e-12);
+        EXPECT_LE(ringNorm(d, 3), ringNorm(d, 2) + 1e-12);
+        EXPECT_LE(euclideanLength(d), ringNorm(d, 3) + 1e-12);
+        EXPECT_EQ(ringNorm(d, 1), static_cast<double>(hexNorm(d)));
+    }
+}
+
+TEST(HexNorm, hexNormExtendsTheDistanceOfCells)
+{
+    const HexLattice lattice({300.0, -70.0}, 2.5, 10, 10);
+    for (std::int64_t q = -12; q <= 12; ++q)
+        for (std::int64_t s = -12; s <= 12; ++s)
+        {
+            const Point vector = lattice.centre({q + 4, s - 9}) - lattice.centre({4, -9});
+            ASSERT_NEAR(hexNorm(vector, lattice), static_cast<double>(hexNorm(HexCoord{q, s})), 1e-9);
+        }
+}
+
+TEST(HexNorm, hexNormIsANormOfThePlane)
+{
+    const HexLattice lattice({300.0, -70.0}, 2.5, 10, 10);
+    Random random(3);
+    SCOPED_TRACE(random.seedText());
+    const Box box{Point(-90.0, -90.0), Point(90.0, 90.0)};
+    for (int i = 0; i < 5000; ++i)
+    {
+        const Point u = random.pointIn(box);
+        const Point v = random.pointIn(box);
+        const double scale = random.real(-3.0, 3.0);
+        ASSERT_LE(hexNorm(Point(u + v), lattice), hexNorm(u, lattice) + hexNorm(v, lattice) + 1e-12);
+        ASSERT_NEAR(hexNorm(Point(scale * u), lattice), std::abs(scale) * hexNorm(u, lattice), 1e-9);
+        // the unit ball is a hexagon between the circles of radius 1 and root 3 / 2 pitches
+        ASSERT_GE(hexNorm(u, lattice), u.norm() / lattice.pitch() - 1e-12);
+        ASSERT_LE(hexNorm(u, lattice), u.norm() / lattice.pitch() * 2.0 / std::sqrt(3.0) + 1e-12);
+    }
+}

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <seahex/search/LengthWeight.h>
+#include <seahex/world/HexOccupancy.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace seahex::test
+{
+
+/// A directed graph written out edge by edge, with Boost.Graph's Dijkstra: what searches are compared with.
+class ExplicitGraph
+{
+public:
+    /// A vertex and the cost of entering the graph, or leaving it, there.
+    using Terminal = std::pair<std::size_t, double>;
+
+    explicit ExplicitGraph(std::size_t vertices) : vertices_(vertices) {}
+
+    void addEdge(std::size_t from, std::size_t to, double cost)
+    {
+        edges_.emplace_back(from, to);
+        costs_.push_back(cost);
+    }
+
+    /// Least cost from any of the starts, the cost of entering included, to each vertex; infinity where there is no
+    /// way.
+    std::vector<double> costsFrom(const std::vector<Terminal> &starts) const;
+
+    /// Least cost from any start to any goal, entering and leaving included; infinity if there is no way.
+    double cheapest(const std::vector<Terminal> &starts, const std::vector<Terminal> &goals) const;
+
+private:
+    std::size_t vertices_;
+    std::vector<std::pair<std::size_t, std::size_t>> edges_;
+    std::vector<double> costs_;
+};
+
+/// Vertex number of a cell of the rectangle in a graph made by jumpGraph().
+std::size_t vertexOf(const HexLattice &lattice, HexCoord cell);
+
+/// All jumps of up to `rings` steps between free cells whose straight segment touches free cells only, collinear
+/// repetitions included. Costs in cells: Euclidean length from centre to centre, or steps between neighbours. It knows
+/// nothing of HexRing and HexJumps.
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric);
+
+}  // namespace seahex::test

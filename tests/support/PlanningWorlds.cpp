@@ -1,0 +1,166 @@
+#include "support/PlanningWorlds.h"
+
+#include "support/HexOracle.h"
+
+#include <seahex/planning/OccupancyMotionValidator.h>
+#include <seahex/planning/OccupancyValidityChecker.h>
+#include <seahex/planning/PlanarEmbedding.h>
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/util/Console.h>
+
+#include <algorithm>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace seahex::test
+{
+
+ob::StateSpacePtr spaceWithin(const Box &bounds, SpaceKind kind)
+{
+    // OMPL tells the console about every skipped state
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    ob::RealVectorBounds box(2);
+    for (unsigned int axis = 0; axis < 2; ++axis)
+    {
+        box.setLow(axis, bounds.min[axis]);
+        box.setHigh(axis, bounds.max[axis]);
+    }
+    if (kind == SpaceKind::Pose)
+    {
+        auto space = std::make_shared<ob::SE2StateSpace>();
+        space->setBounds(box);
+        return space;
+    }
+    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+    space->setBounds(box);
+    return space;
+}
+
+ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind)
+{
+    return chartSpace(occupancy, kind, occupancy->lattice().bounds());
+}
+
+ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind,
+                                   const Box &bounds)
+{
+    auto si = std::make_shared<ob::SpaceInformation>(spaceWithin(bounds, kind));
+    si->setStateValidityChecker(std::make_shared<OccupancyValidityChecker>(si, occupancy));
+    si->setMotionValidator(std::make_shared<OccupancyMotionValidator>(si, occupancy));
+    si->setup();
+    return si;
+}
+
+ob::SpaceInformationPtr userSpace(const Box &bounds, SpaceKind kind, const ob::StateValidityCheckerFn &isValid)
+{
+    auto si = std::make_shared<ob::SpaceInformation>(spaceWithin(bounds, kind));
+    si->setStateValidityChecker(isValid);
+    si->setup();
+    return si;
+}
+
+ob::ScopedState<> stateAt(const ob::SpaceInformationPtr &si, const Point &p, double heading)
+{
+    ob::ScopedState<> state(si);
+    PlanarEmbedding(si->getStateSpace().get()).place(state.get(), p, heading);
+    return state;
+}
+
+Point positionOf(const ob::SpaceInformationPtr &si, const ob::State *state)
+{
+    return PlanarEmbedding(si->getStateSpace().get()).position(state);
+}
+
+ob::ProblemDefinitionPtr problemBetween(const ob::SpaceInformationPtr &si, const Point &start, const Point &goal)
+{
+    auto problem = std::make_shared<ob::ProblemDefinition>(si);
+    problem->setStartAndGoalStates(stateAt(si, start), stateAt(si, goal));
+    return problem;
+}
+
+std::shared_ptr<HexAStar> plannerFor(const ob::ProblemDefinitionPtr &problem)
+{
+    auto planner = std::make_shared<HexAStar>(problem->getSpaceInformation());
+    planner->setProblemDefinition(problem);
+    return planner;
+}
+
+std::shared_ptr<og::PathGeometric> pathOf(const ob::ProblemDefinitionPtr &problem)
+{
+    return std::dynamic_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+}
+
+double lengthOf(const og::PathGeometric &path)
+{
+    double length = 0.0;
+    for (unsigned int i = 1; i < path.getStateCount(); ++i)
+        length += (positionOf(path.getSpaceInformation(), path.getState(i)) -
+                   positionOf(path.getSpaceInformation(), path.getState(i - 1)))
+                      .norm();
+    return length;
+}
+
+long double distanceToBlocked(const HexOccupancy &occupancy, const Point &a, const Point &b)
+{
+    const HexOracle oracle(occupancy.lattice());
+    long double least = std::numeric_limits<long double>::infinity();
+    forEachCell(occupancy.lattice(), 2,
+                [&](HexCoord cell)
+                {
+                    if (occupancy.isBlocked(cell))
+                        least = std::min(least, oracle.distance(a, b, cell));
+                });
+    return least;
+}
+
+Point freePoint(Random &random, const HexOccupancy &occupancy)
+{
+    for (;;)
+    {
+        const HexCoord cell = random.cellOf(occupancy.lattice());
+        const Point p =
+            random.chance(0.5) ? random.pointOf(occupancy.lattice(), cell) : occupancy.lattice().centre(cell);
+        if (distanceToBlocked(occupancy, p, p) > 1e-6 * occupancy.lattice().pitch())
+            return p;
+    }
+}
+
+bool Discs::isFree(const Point &a, const Point &b) const
+{
+    for (std::size_t i = 0; i < centres.size(); ++i)
+    {
+        const Point d = b - a;
+        const double square = d.squaredNorm();
+        const double t = square > 0.0 ? std::clamp((centres[i] - a).dot(d) / square, 0.0, 1.0) : 0.0;
+        if ((a + t * d - centres[i]).norm() <= radii[i])
+            return false;
+    }
+    return true;
+}
+
+Discs randomDiscs(Random &random, const Box &box, int most)
+{
+    Discs discs;
+    const double size = (box.max - box.min).maxCoeff();
+    for (std::int64_t i = random.integer(0, most); i > 0; --i)
+    {
+        discs.centres.push_back(random.pointIn(box));
+        discs.radii.push_back(random.real(0.02, 0.15) * size);
+    }
+    for (std::int64_t walls = random.integer(0, 2); walls > 0; --walls)
+    {
+        const Point a = random.pointIn(box);
+        const Point b = random.pointIn(box);
+        for (int i = 0; i <= 10; ++i)
+        {
+            discs.centres.push_back(a + 0.1 * i * (b - a));
+            discs.radii.push_back(std::max(0.06 * (b - a).norm(), 0.01 * size));
+        }
+    }
+    return discs;
+}
+
+}  // namespace seahex::test

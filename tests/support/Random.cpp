@@ -1,0 +1,57 @@
+#include "support/Random.h"
+
+#include "support/AsciiWorld.h"
+
+#include <vector>
+
+namespace seahex::test
+{
+
+std::int64_t Random::integer(std::int64_t low, std::int64_t high)
+{
+    // the bias of the remainder, below 2^-30 for the ranges of tests, does not matter
+    const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + engine_() % range);
+}
+
+Point Random::pointIn(const Box &box)
+{
+    const double x = real(box.min.x(), box.max.x());
+    return {x, real(box.min.y(), box.max.y())};
+}
+
+HexCoord Random::cellOf(const HexLattice &lattice)
+{
+    const std::int64_t column = integer(0, lattice.columns() - 1);
+    return toCube({column, integer(0, lattice.rows() - 1)});
+}
+
+Point Random::pointOf(const HexLattice &lattice, HexCoord cell)
+{
+    const auto corners = lattice.corners(cell);
+    const Point &a = corners[static_cast<std::size_t>(integer(0, 5))];
+    const Point &b = corners[static_cast<std::size_t>(integer(0, 5))];
+    switch (integer(0, 7))
+    {
+        case 0:
+            return lattice.centre(cell);
+        case 1:
+            return a;
+        case 2:
+            return a + unit() * (b - a);
+        default:
+            return lattice.centre(cell) + unit() * (a + unit() * (b - a) - lattice.centre(cell));
+    }
+}
+
+std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density)
+{
+    std::vector<HexCoord> blocked;
+    for (std::int64_t row = 0; row < lattice.rows(); ++row)
+        for (std::int64_t column = 0; column < lattice.columns(); ++column)
+            if (random.chance(density))
+                blocked.push_back(toCube({column, row}));
+    return occupancyWith(lattice, blocked);
+}
+
+}  // namespace seahex::test

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <seahex/geometry/HexLattice.h>
+#include <seahex/world/HexOccupancy.h>
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <string>
+
+namespace seahex::test
+{
+
+/// Random numbers that are the same with every standard library for the same seed. Tests that use one say
+/// `SCOPED_TRACE(random.seedText())`, so that a failure names the seed.
+class Random
+{
+public:
+    explicit Random(std::uint64_t seed) : seed_(seed), engine_(seed) {}
+
+    std::string seedText() const { return "seed " + std::to_string(seed_); }
+
+    /// Evenly distributed in [0, 1).
+    double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    /// In [low, high).
+    double real(double low, double high) { return low + (high - low) * unit(); }
+    /// In [low, high], both included.
+    std::int64_t integer(std::int64_t low, std::int64_t high);
+    bool chance(double probability) { return unit() < probability; }
+
+    Point pointIn(const Box &box);
+    /// Any cell of the rectangle.
+    HexCoord cellOf(const HexLattice &lattice);
+    /// A point of the closed cell: most often inside, else on an edge, a corner, or the centre.
+    Point pointOf(const HexLattice &lattice, HexCoord cell);
+
+private:
+    std::uint64_t seed_;
+    std::mt19937_64 engine_;
+};
+
+/// An occupancy in which each cell is blocked with the given probability.
+std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density);
+
+}  // namespace seahex::test
