@@ -15,6 +15,9 @@ if [ -z "${SEAHEX_TEST_DATA:-}" ] && [ -d ../shared/charts ]; then
 fi
 export SEAHEX_TEST_DATA="${SEAHEX_TEST_DATA:-}"
 
+# What fontconfig keeps until the end is no leak of ours.
+export LSAN_OPTIONS="suppressions=$PWD/tests/support/leaks.supp:${LSAN_OPTIONS:-}"
+
 preset="${SEAHEX_PRESET:-release}"
 jobs="${SEAHEX_JOBS:-$(nproc)}"
 folder=build
