@@ -13,7 +13,7 @@ int main()
     seahex::useOccupancy(setup, arena.occupancy());
     seahex::setStartAndGoal(setup, arena.projection().forward(start), arena.projection().forward(goal));
     setup.setPlanner(std::make_shared<seahex::HexAStar>(setup.getSpaceInformation()));
-    if (setup.solve(1.0) != ompl::base::PlannerStatus::EXACT_SOLUTION)
+    if (setup.solve(10.0) != ompl::base::PlannerStatus::EXACT_SOLUTION)
         return 1;
 
     const seahex::Route route = pullString(seahex::routeFromPath(setup.getSolutionPath()), *arena.occupancy());

@@ -25,6 +25,8 @@ int main()
     space->setBounds(0, 100);
     og::SimpleSetup setup(space);
     setup.setStateValidityChecker(isValid);
+    // OMPL asks about points along a motion: these lie 0.14 apart, or a leg could cut off the corner of a wall.
+    setup.getSpaceInformation()->setStateValidityCheckingResolution(0.001);
 
     ob::ScopedState<> start(space), goal(space);
     start[0] = 10, start[1] = 10;
@@ -35,7 +37,7 @@ int main()
     planner->setRings(3);
     setup.setPlanner(planner);
 
-    if (!setup.solve(1.0))
+    if (!setup.solve(10.0))
         return 1;
     setup.getSolutionPath().printAsMatrix(std::cout);
     std::cout << "length " << setup.getSolutionPath().length() << ", cell size " << planner->cellSize() << ", "

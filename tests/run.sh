@@ -16,7 +16,7 @@ fi
 export SEAHEX_TEST_DATA="${SEAHEX_TEST_DATA:-}"
 
 # What fontconfig keeps until the end is no leak of ours.
-export LSAN_OPTIONS="suppressions=$PWD/tests/support/leaks.supp:${LSAN_OPTIONS:-}"
+export LSAN_OPTIONS="suppressions=$PWD/tests/support/leaks.supp:print_suppressions=0:${LSAN_OPTIONS:-}"
 
 preset="${SEAHEX_PRESET:-release}"
 jobs="${SEAHEX_JOBS:-$(nproc)}"

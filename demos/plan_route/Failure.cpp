@@ -1,5 +1,7 @@
 #include "Failure.h"
 
+#include <cstdio>
+
 namespace plan_route
 {
 
@@ -23,6 +25,13 @@ const char *statusWord(Exit exit)
             break;
     }
     return "internal";
+}
+
+std::string plain(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
 }
 
 }  // namespace plan_route

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace plan_route
 {
@@ -21,6 +23,9 @@ enum class Exit
 /// The word for an exit code in the field `status` of --json.
 const char *statusWord(Exit exit);
 
+/// A number for a message: "20", "0.3", "1e+10".
+std::string plain(double value);
+
 /// Ends the program with an exit code and one sentence.
 class Failure : public std::runtime_error
 {
@@ -28,8 +33,13 @@ public:
     Failure(Exit exit, const std::string &message) : std::runtime_error(message), exit_(exit) {}
     Exit exit() const { return exit_; }
 
+    /// What the chart's report warned of before it came to this: it may be the reason.
+    const std::vector<std::string> &warnings() const { return warnings_; }
+    void setWarnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
+
 private:
     Exit exit_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace plan_route

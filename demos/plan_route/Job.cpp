@@ -18,7 +18,9 @@
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -28,11 +30,20 @@ namespace plan_route
 namespace
 {
 
+/// Start and goal with as much around them as lies between them, and a dozen miles at least: a voyage's waters.
+seahex::GeoBox voyageBox(const Options &options)
+{
+    const auto [south, north] = std::minmax({options.from.latitudeDeg(), options.to.latitudeDeg()});
+    const auto [west, east] = std::minmax({options.from.longitudeDeg(), options.to.longitudeDeg()});
+    const double around = std::max({north - south, east - west, 0.2});
+    return {west - around, south - around, east + around, north + around};
+}
+
 std::shared_ptr<const seahex::Chart> readChart(const Options &options)
 {
     try
     {
-        return std::make_shared<const seahex::Chart>(seahex::readChart(options.charts));
+        return std::make_shared<const seahex::Chart>(seahex::readChart(options.charts, voyageBox(options)));
     }
     catch (const seahex::ChartError &error)
     {
@@ -40,8 +51,44 @@ std::shared_ptr<const seahex::Chart> readChart(const Options &options)
     }
 }
 
+std::vector<std::string> warningsOf(const seahex::Chart &chart)
+{
+    std::vector<std::string> warnings;
+    for (const seahex::CellReport &cell : chart.cells)
+        warnings.insert(warnings.end(), cell.warnings.begin(), cell.warnings.end());
+    return warnings;
+}
+
+/// Refuses a pitch that would fill the memory: a search takes up to 10 bytes a cell.
+void checkPitch(const Options &options, const seahex::GeoBox &bounds)
+{
+    constexpr double mostCells = 1e9;
+    if (options.pitch == 0.0)
+        return;
+    double cells = 0.0;
+    if (options.chengScenario)
+        cells = cheng2020::columns * cheng2020::rows * std::pow(cheng2020::publishedPitchDeg() / options.pitch, 2);
+    else
+    {
+        const auto corner = [](double lat, double lon)
+        {
+            return seahex::GeoPoint::fromLatLon(lat, lon);
+        };
+        const double middleDeg = bounds.centre().latitudeDeg();
+        const double width =
+            seahex::rhumbLengthM({{corner(middleDeg, bounds.westDeg), corner(middleDeg, bounds.eastDeg)}});
+        const double height =
+            seahex::rhumbLengthM({{corner(bounds.southDeg, bounds.westDeg), corner(bounds.northDeg, bounds.westDeg)}});
+        cells = (width / options.pitch) * (height / options.pitch) / (0.5 * std::sqrt(3.0));
+    }
+    if (cells > mostCells)
+        throw Failure(Exit::Usage, "--pitch " + plain(options.pitch) + " is too small: it would need " + plain(cells) +
+                                       " cells, and at most " + plain(mostCells) + " are possible");
+}
+
 std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, const seahex::Chart &chart)
 {
+    checkPitch(options, chart.bounds);
     seahex::ArenaOptions arena;
     arena.vessel = options.vessel;
     arena.pitch = options.pitch;
@@ -57,9 +104,11 @@ std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, cons
         const seahex::HexOccupancy &occupancy = *made->occupancy();
         if (occupancy.blockedCount() == occupancy.lattice().cellCount())
             throw Failure(Exit::Chart, "the chart has no navigable cell: all " +
-                                           std::to_string(occupancy.blockedCount()) +
-                                           " cells are blocked for a vessel that needs " +
-                                           std::to_string(options.vessel.requiredDepthM()) + " m of water");
+                                           std::to_string(occupancy.blockedCount()) + " cells, " +
+                                           plain(occupancy.lattice().pitch()) +
+                                           (options.chengScenario ? " degrees" : " m") +
+                                           " wide, are blocked for a vessel that needs " +
+                                           plain(options.vessel.requiredDepthM()) + " m of water");
         return made;
     }
     catch (const std::domain_error &error)
@@ -71,6 +120,9 @@ std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, cons
         throw Failure(Exit::Usage, std::string("--pitch is too small: ") + error.what());
     }
 }
+
+/// OMPL counts nanoseconds in 64 bits: beyond 292 years it would stop at once.
+constexpr double longestS = 1e9;
 
 /// The planner's path; counters and trace go into the result.
 seahex::Route search(const Options &options, Result &result)
@@ -98,7 +150,7 @@ seahex::Route search(const Options &options, Result &result)
     setup.setup();
 
     const auto begin = std::chrono::steady_clock::now();
-    const ob::PlannerStatus status = planner->solve(options.timeS);
+    const ob::PlannerStatus status = planner->solve(std::min(options.timeS, longestS));
     result.searchMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     if (hex != nullptr)
     {
@@ -108,13 +160,13 @@ seahex::Route search(const Options &options, Result &result)
             result.trace.push_back(occupancy->layout().index(cell));
         if (hex->outcome() == seahex::PlanningOutcome::Exhausted)
             throw Failure(Exit::NoRoute,
-                          "no route at a cell size of " + std::to_string(occupancy->lattice().pitch()) +
+                          "no route at a cell size of " + plain(occupancy->lattice().pitch()) +
                               (options.chengScenario ? " degrees" : " m") +
                               ": start and goal lie in separate waters; a finer --pitch may open a passage");
     }
     if (status != ob::PlannerStatus::EXACT_SOLUTION)
-        throw Failure(Exit::OutOfTime, options.planner + " found no route within " + std::to_string(options.timeS) +
-                                           " s (" + status.asString() + "); more --time may help");
+        throw Failure(Exit::OutOfTime, options.planner + " found no route within " + plain(options.timeS) + " s (" +
+                                           status.asString() + "); more --time may help");
     return seahex::routeFromPath(setup.getSolutionPath());
 }
 
@@ -127,17 +179,12 @@ MeasuredRoute measure(const Options &options, const Result &result, const seahex
     measured.metrics = seahex::measureRoute(route, *result.arena->occupancy(), counted);
     measured.metrics.lengthM = seahex::rhumbLengthM(measured.written);
     measured.metrics.minClearanceM = check.leastClearanceM(measured.written.waypoints);
-    measured.crosses = check.crossedUnjudged(measured.written.waypoints);
+    measured.crosses = check.crossedCautions(measured.written.waypoints);
     return measured;
 }
 
-}  // namespace
-
-Result planRoute(const Options &options, Progress &progress)
+void planOnChart(const Options &options, Progress &progress, Result &result)
 {
-    Result result;
-    progress.stage("reading the chart");
-    result.chart = readChart(options);
     progress.stage("filling cells");
     result.arena = makeArena(options, *result.chart);
     result.startCell = navigableCell(*result.chart, *result.arena, options.from, "start");
@@ -164,6 +211,28 @@ Result planRoute(const Options &options, Progress &progress)
             check.firstFault(smoothed.written.waypoints))
             smoothed = measure(options, result, check, path, seahex::CountedLegs::All);
         result.smoothed = std::move(smoothed);
+    }
+}
+
+}  // namespace
+
+Result planRoute(const Options &options, Progress &progress)
+{
+    Result result;
+    progress.stage("reading the chart");
+    result.chart = readChart(options);
+    try
+    {
+        planOnChart(options, progress, result);
+    }
+    catch (Failure &failure)
+    {
+        failure.setWarnings(warningsOf(*result.chart));
+        throw;
+    }
+    catch (const seahex::PositionError &error)
+    {
+        throw Failure(Exit::Chart, std::string("the chart can't be planned on as a whole: ") + error.what());
     }
     return result;
 }

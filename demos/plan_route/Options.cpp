@@ -128,7 +128,7 @@ void checkNumbers(const Options &o)
     const auto notNegative = [](const char *option, double value, const char *unit)
     {
         if (!std::isfinite(value) || value < 0.0)
-            usage(std::string(option) + " must be 0 or more " + unit + ", not " + std::to_string(value));
+            usage(std::string(option) + " must be 0 or more " + unit + ", not " + plain(value));
     };
     notNegative("--draught", o.vessel.draughtM, "metres");
     notNegative("--ukc", o.vessel.underKeelClearanceM, "metres");
@@ -142,7 +142,7 @@ void checkNumbers(const Options &o)
 
 void checkFiles(const Options &o)
 {
-    const auto checkFolder = [](const char *option, const std::string &file)
+    const auto checkFolder = [&o](const char *option, const std::string &file)
     {
         if (file.empty())
             return;
@@ -150,6 +150,11 @@ void checkFiles(const Options &o)
         const std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
         if (!std::filesystem::is_directory(folder, ignored))
             usage(std::string(option) + ": there is no folder " + folder.string());
+        if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
+            usage(std::string(option) + " must name a file, and " + file + " is a folder or a device");
+        for (const std::string &chart : o.charts)
+            if (std::filesystem::equivalent(file, chart, ignored))
+                usage(std::string(option) + " would overwrite the chart " + chart);
     };
     checkFolder("--out", o.out);
     checkFolder("--picture", o.picture);
@@ -157,6 +162,9 @@ void checkFiles(const Options &o)
         usage("--blocked-cells needs --out");
     if (o.picture.empty())
         return;
+    if (std::filesystem::absolute(o.picture).lexically_normal() ==
+        std::filesystem::absolute(o.out.empty() ? "." : o.out).lexically_normal())
+        usage("--out and --picture name the same file");
     const std::string extension = std::filesystem::path(o.picture).extension().string();
     if (extension != ".svg" && extension != ".png" && extension != ".SVG" && extension != ".PNG")
         usage("--picture must end in .svg or .png, not '" + o.picture + "'");
@@ -234,7 +242,7 @@ CommandLine readCommandLine(int argc, const char *const *argv)
 bool wantsJson(int argc, const char *const *argv)
 {
     for (int i = 1; i < argc; ++i)
-        if (std::strcmp(argv[i], "--json") == 0)
+        if (std::strcmp(argv[i], "--json") == 0 || std::strncmp(argv[i], "--json=", 7) == 0)
             return true;
     return false;
 }

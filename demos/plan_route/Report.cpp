@@ -163,10 +163,14 @@ std::string jsonReport(const Options &options, const Result &result)
     return report.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string jsonFailure(Exit exit, const std::string &message)
+std::string jsonFailure(const Failure &failure)
 {
-    return Json({{"status", statusWord(exit)}, {"exit", static_cast<int>(exit)}, {"message", message}})
-        .dump(2, ' ', false, Json::error_handler_t::replace);
+    Json report = {{"status", statusWord(failure.exit())},
+                   {"exit", static_cast<int>(failure.exit())},
+                   {"message", failure.what()}};
+    if (!failure.warnings().empty())
+        report["warnings"] = failure.warnings();
+    return report.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string summaryLine(const Options &options, const Result &result)
@@ -195,9 +199,9 @@ std::string textReport(const Options &options, const Result &result)
     if (result.smoothed)
         describeRoute(out, "route", *result.smoothed);
     if (result.best().crosses.empty())
-        out << "crosses   no bridge, overhead cable or regulated area\n";
+        out << "crosses   no bridge, overhead cable, regulated area or other object of caution\n";
     for (const seahex::HazardObject *object : result.best().crosses)
-        out << "crosses   " << describe(*object) << ": not judged, look at it yourself\n";
+        out << "crosses   " << describe(*object) << ": look at it yourself\n";
     if (!options.out.empty())
         out << "wrote     " << options.out << "\n";
     if (!options.picture.empty())

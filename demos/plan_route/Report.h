@@ -12,8 +12,8 @@ namespace plan_route
 /// The result as one JSON object.
 std::string jsonReport(const Options &options, const Result &result);
 
-/// A failure as one JSON object: status, exit, message.
-std::string jsonFailure(Exit exit, const std::string &message);
+/// A failure as one JSON object: status, exit, message, and the chart's warnings if there are any.
+std::string jsonFailure(const Failure &failure);
 
 /// The result for people: the chart, the cells, the search, the route, and what to look out for.
 std::string textReport(const Options &options, const Result &result);

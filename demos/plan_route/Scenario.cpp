@@ -9,9 +9,14 @@
 namespace plan_route
 {
 
+double cheng2020::publishedPitchDeg()
+{
+    return std::sqrt(3.0) * sideDeg;
+}
+
 seahex::HexLattice cheng2020::lattice(double pitchDeg)
 {
-    const double published = std::sqrt(3.0) * sideDeg;
+    const double published = publishedPitchDeg();
     const seahex::Point corner(westDeg, northDeg);
     if (pitchDeg == 0.0)
         return seahex::HexLattice(corner, published, columns, rows);

@@ -20,6 +20,9 @@ constexpr const char *from = "21.635,112.521";
 constexpr const char *to = "21.669,112.901";
 constexpr const char *chart = "shangchuan.000";
 
+/// Width of a published cell, degrees.
+double publishedPitchDeg();
+
 /// The published lattice; with another pitch (degrees) one of the same corner over the same window.
 seahex::HexLattice lattice(double pitchDeg);
 

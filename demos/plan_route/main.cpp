@@ -17,14 +17,25 @@ namespace
 {
 
 using plan_route::Exit;
+using plan_route::Failure;
 
-int fail(bool json, Exit exit, const std::string &message)
+/// @throws Failure if it can't be written: a result that nobody gets is none
+void print(const std::string &text)
 {
-    if (json)
-        std::puts(plan_route::jsonFailure(exit, message).c_str());
-    else
-        spdlog::error(message);
-    return static_cast<int>(exit);
+    if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+        throw Failure(Exit::Internal, "can't write to standard output");
+}
+
+int fail(bool json, const Failure &failure)
+{
+    const bool isPrinted = json && std::puts(plan_route::jsonFailure(failure).c_str()) >= 0 && std::fflush(stdout) == 0;
+    if (!isPrinted)
+    {
+        for (const std::string &warning : failure.warnings())
+            spdlog::warn(warning);
+        spdlog::error(failure.what());
+    }
+    return static_cast<int>(failure.exit());
 }
 
 void run(const plan_route::Options &options)
@@ -37,9 +48,7 @@ void run(const plan_route::Options &options)
     if (!options.picture.empty())
         plan_route::drawPicture(options, result);
     progress.end();
-    std::fputs((options.json ? plan_route::jsonReport(options, result) + "\n" : plan_route::textReport(options, result))
-                   .c_str(),
-               stdout);
+    print(options.json ? plan_route::jsonReport(options, result) + "\n" : plan_route::textReport(options, result));
 }
 
 }  // namespace
@@ -54,7 +63,7 @@ int main(int argc, char **argv)
         const plan_route::CommandLine commandLine = plan_route::readCommandLine(argc, argv);
         if (!commandLine.options)
         {
-            std::fputs(commandLine.text.c_str(), stdout);
+            print(commandLine.text);
             return 0;
         }
         run(*commandLine.options);
@@ -62,14 +71,14 @@ int main(int argc, char **argv)
     }
     catch (const plan_route::Failure &failure)
     {
-        return fail(json, failure.exit(), failure.what());
+        return fail(json, failure);
     }
     catch (const std::bad_alloc &)
     {
-        return fail(json, Exit::Usage, "not enough memory: a larger --pitch needs less");
+        return fail(json, Failure(Exit::Usage, "not enough memory: a larger --pitch needs less"));
     }
     catch (const std::exception &error)
     {
-        return fail(json, Exit::Internal, std::string("internal error: ") + error.what());
+        return fail(json, Failure(Exit::Internal, std::string("internal error: ") + error.what()));
     }
 }

@@ -21,6 +21,7 @@ struct CellContents
     CellReport report;
     std::vector<DraftHazard> hazards;
     std::vector<Polygon> coverage;    ///< the areas of M_COVR with CATCOV 1, as read
+    std::vector<Polygon> noData;      ///< the areas of M_COVR with another CATCOV: no data within them
     double gridUnitsPerDegree = 1e7;  ///< the grid on which its coordinates are whole numbers
 
     void warn(const std::string &sentence) { report.warnings.push_back(sentence); }

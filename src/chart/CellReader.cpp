@@ -87,6 +87,22 @@ bool readLayerFile(const std::string &file, CellContents &cell)
     return any;
 }
 
+/// What must hold before the coverage may be trusted: its rings do not cross, and what is declared to hold no data is
+/// no part of it.
+void settleCoverage(CellContents &cell)
+{
+    if (!isSimple(cell.coverage))
+        throw ChartDamaged("the coverage (M_COVR) of '" + cell.report.source + "' crosses itself");
+    if (cell.noData.empty() || !overlap(cell.coverage, cell.noData))
+        return;
+    std::vector<Polygon> rest;
+    if (!subtract(cell.coverage, cell.noData, 0.0, rest) || rest.empty())
+        throw ChartEmpty("the coverage of '" + cell.report.source +
+                         "' is declared to hold no data (M_COVR with CATCOV 2)");
+    cell.coverage = std::move(rest);
+    cell.warn("a part of the coverage of " + cell.report.name + " is declared to hold no data and is blocked");
+}
+
 /// Coverage that no M_COVR gives is what the areas of group 1 cover.
 void coverByGroupOne(CellContents &cell)
 {
@@ -117,14 +133,15 @@ CellContents readS57Cell(const std::filesystem::path &path)
         if (!isS57Bookkeeping(layer->GetName()))
             LayerReader(*layer, layer->GetName(), messages, cell).read();
     }
-    addMessages(messages, cell);
     if (const std::size_t count = unknownObjects(cell.report); count > 0)
         cell.warn(cell.report.name + " holds " + std::to_string(count) +
                   " objects of unknown classes, which are not used");
     if (cell.coverage.empty())
         throw ChartEmpty("cell '" + path.string() + "' holds no coverage: no M_COVR with CATCOV 1");
+    settleCoverage(cell);
     fillSurroundingDepths(cell);
     checkGroupOne(cell);
+    addMessages(messages, cell);
     return cell;
 }
 
@@ -141,12 +158,15 @@ CellContents readLayerCell(const std::vector<std::filesystem::path> &files, cons
         throw ChartUnsupported("chart '" + source +
                                "' has no layer that bears the name of an S-57 class (DEPARE, LNDARE, ...)");
 
+    DriverMessages messages;
     const bool hasCoverage = !cell.coverage.empty();
     if (!hasCoverage)
         coverByGroupOne(cell);
+    settleCoverage(cell);
     fillSurroundingDepths(cell);
     if (hasCoverage)
         checkGroupOne(cell);
+    addMessages(messages, cell);
     return cell;
 }
 

@@ -1,6 +1,7 @@
 #include "seahex/chart/ChartArena.h"
 
 #include "seahex/geometry/HexTraversal.h"
+#include "seahex/geometry/SegmentDistance.h"
 #include "seahex/world/OccupancyBuilder.h"
 
 #include <boost/geometry/algorithms/covered_by.hpp>
@@ -63,12 +64,7 @@ public:
     bool isNear(const Point &a, const Point &b, double radius) const
     {
         if (!cell_)
-        {
-            const Point d = b - a;
-            const double squared = d.squaredNorm();
-            const double t = squared > 0.0 ? std::clamp((p_ - a).dot(d) / squared, 0.0, 1.0) : 0.0;
-            return (p_ - a - t * d).norm() <= radius;
-        }
+            return distanceToSegment(p_, a, b) <= radius;
         const SegmentSpans spans(lattice_, a, b, radius);
         if (cell_->s < spans.firstRow() || cell_->s > spans.lastRow())
             return false;
@@ -98,28 +94,31 @@ ChartArena::ChartArena(const Chart &chart, const ArenaOptions &options)
     for (const Hazard &hazard : hazards_)
         verdicts_.push_back(judge(*hazard.object, vessel_, scope_));
 
-    if (options.lattice)
-        build(*options.lattice);
-    else
-    {
-        const Box box = boxOf(coverage_);
-        build(HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));
-    }
+    const Box box = boxOf(coverage_);
+    scale_ = projection_.largestScale(std::max(std::abs(box.min.x()), std::abs(box.max.x())));
+    build(options.lattice ? *options.lattice
+                          : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));
     buildMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// A distance on the ground as it must be kept in the plane; none in degrees.
+double ChartArena::inPlane(double distanceM) const
+{
+    return projection_.isMetric() ? distanceM * scale_ : 0.0;
 }
 
 double ChartArena::radius(std::size_t hazard) const
 {
-    return projection_.isMetric() ? keepOutRadiusM(*hazards_[hazard].object, vessel_) + growthM : 0.0;
+    return keepOutRadiusM(*hazards_[hazard].object, vessel_);
 }
 
 void ChartArena::build(const HexLattice &lattice)
 {
     OccupancyBuilder builder(lattice);
-    builder.blockOutside(coverage_.areas, projection_.isMetric() ? vessel_.marginM + growthM : 0.0);
+    builder.blockOutside(coverage_.areas, inPlane(vessel_.marginM + growthM));
     for (std::size_t i = 0; i < hazards_.size(); ++i)
         if (verdicts_[i].blocks())
-            builder.block(hazards_[i].shape, radius(i));
+            builder.block(hazards_[i].shape, inPlane(radius(i) + growthM));
     occupancy_ = builder.build();
 }
 
@@ -137,20 +136,20 @@ std::vector<std::string> ChartArena::explain(const Point &p, std::optional<HexCo
 {
     std::vector<std::string> reasons;
     const NearTest test(occupancy_->lattice(), p, cell);
+    const double growth = cell ? growthM : 0.0;
     if (!test.isInside(coverage_))
         reasons.push_back("outside the coverage of the chart");
     else
     {
-        const double margin = projection_.isMetric() ? vessel_.marginM + growthM : 0.0;
+        const double margin = inPlane(vessel_.marginM + growth);
         bool atEdge = false;
-        forEachSegment(coverage_, [&](const Point &a, const Point &b)
-                       { atEdge = atEdge || test.isNear(a, b, cell ? margin : vessel_.marginM); });
+        forEachSegment(coverage_,
+                       [&](const Point &a, const Point &b) { atEdge = atEdge || test.isNear(a, b, margin); });
         if (atEdge)
             reasons.push_back("too near to the edge of the chart's coverage");
     }
     for (std::size_t i = 0; i < hazards_.size(); ++i)
-        if (verdicts_[i].blocks() &&
-            test.isNear(hazards_[i].shape, cell ? radius(i) : std::max(0.0, radius(i) - growthM)))
+        if (verdicts_[i].blocks() && test.isNear(hazards_[i].shape, inPlane(radius(i) + growth)))
             reasons.push_back(seahex::explain(*hazards_[i].object, vessel_, verdicts_[i]));
     return reasons;
 }

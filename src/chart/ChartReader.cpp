@@ -1,6 +1,7 @@
 #include "seahex/chart/ChartReader.h"
 
 #include "CellReader.h"
+#include "GdalDataset.h"
 #include "Overlay.h"
 #include "SourceFinder.h"
 
@@ -72,6 +73,35 @@ void warnOfDatums(std::vector<CellContents> &cells)
                           cells.front().report.name);
 }
 
+/// Leaves the cells aside that do not meet the window, unless none would be left.
+void keepCellsIn(const GeoBox &window, std::vector<CellContents> &cells)
+{
+    const auto isAway = [&window](const CellContents &cell)
+    {
+        return !boxesMeet(cell.report.bounds, window);
+    };
+    std::string names;
+    for (const CellContents &cell : cells)
+        if (isAway(cell))
+            names += (names.empty() ? "" : ", ") + cell.report.name;
+    if (names.empty() || std::all_of(cells.begin(), cells.end(), isAway))
+        return;
+    cells.erase(std::remove_if(cells.begin(), cells.end(), isAway), cells.end());
+    cells.front().warn("left aside, because it lies away from the voyage: " + names);
+}
+
+/// A local frame bends and stretches too much beyond this, and a box of longitudes can't tell east from west.
+void demandOneRegion(const Chart &chart)
+{
+    constexpr double widestDeg = 60.0;
+    const double widthDeg = chart.bounds.eastDeg - chart.bounds.westDeg;
+    if (chart.bounds.westDeg < -180.0 || chart.bounds.eastDeg > 180.0 || widthDeg > widestDeg)
+        throw ChartUnsupported("the chart spans " + std::to_string(static_cast<int>(widthDeg)) +
+                               " degrees of longitude, from " + std::to_string(chart.bounds.westDeg) + " to " +
+                               std::to_string(chart.bounds.eastDeg) +
+                               "; at most 60 within -180 to 180 can be planned on (none across the antimeridian)");
+}
+
 bool holdsDepthArea(const CellContents &cell)
 {
     return std::any_of(cell.hazards.begin(), cell.hazards.end(),
@@ -115,18 +145,22 @@ Chart pool(std::vector<CellContents> cells)
 
 }  // namespace
 
-Chart readChart(const std::vector<std::string> &sources)
+Chart readChart(const std::vector<std::string> &sources, const std::optional<GeoBox> &window)
 {
     const auto start = std::chrono::steady_clock::now();
+    const DriverMessages messages;  // nothing is printed past the report
     const SourceFiles files = findSources(sources);
     std::vector<CellContents> cells = readCells(files);
     for (const std::string &warning : files.warnings)
         cells.front().warn(warning);
+    if (window)
+        keepCellsIn(*window, cells);
     demandWater(cells, sources);
     warnOfOverlaps(cells);
     warnOfDatums(cells);
 
     Chart chart = pool(std::move(cells));
+    demandOneRegion(chart);
     chart.readMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return chart;
 }

@@ -1,5 +1,7 @@
 #include "EdgeDensifier.h"
 
+#include "seahex/geometry/SegmentDistance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -34,14 +36,6 @@ Point middle(const Point &a, const Point &b)
 bool isBefore(const Point &a, const Point &b)
 {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-double distanceToSegment(const Point &p, const Point &a, const Point &b)
-{
-    const Point along = b - a;
-    const double lengthSquared = along.squaredNorm();
-    const double t = lengthSquared > 0.0 ? std::clamp((p - a).dot(along) / lengthSquared, 0.0, 1.0) : 0.0;
-    return (p - (a + t * along)).norm();
 }
 
 }  // namespace

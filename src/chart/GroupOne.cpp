@@ -1,12 +1,12 @@
 #include "GroupOne.h"
 
+#include "GridCoordinates.h"
 #include "Overlay.h"
+#include "Tiling.h"
 
 #include "seahex/chart/HazardCatalogue.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 
 namespace seahex
@@ -14,31 +14,15 @@ namespace seahex
 namespace
 {
 
-/// Cross products of whole coordinates exceed 64 bits (3.6e9 squared). The keyword keeps -Wpedantic quiet.
-__extension__ typedef __int128 Wide;
-
-Wide onGrid(double degrees, double gridUnitsPerDegree)
+WideInteger twiceArea(const Ring &ring, double gridUnitsPerDegree)
 {
-    return static_cast<Wide>(std::llround(degrees * gridUnitsPerDegree));
-}
-
-Wide twiceArea(const Ring &ring, double gridUnitsPerDegree)
-{
-    Wide sum = 0;
-    for (std::size_t i = 1; i < ring.size(); ++i)
-    {
-        const Wide x0 = onGrid(ring[i - 1].x(), gridUnitsPerDegree);
-        const Wide y0 = onGrid(ring[i - 1].y(), gridUnitsPerDegree);
-        const Wide x1 = onGrid(ring[i].x(), gridUnitsPerDegree);
-        const Wide y1 = onGrid(ring[i].y(), gridUnitsPerDegree);
-        sum += x0 * y1 - x1 * y0;
-    }
+    const WideInteger sum = twiceSignedArea(ring, gridUnitsPerDegree);
     return sum < 0 ? -sum : sum;
 }
 
-Wide twiceArea(const std::vector<Polygon> &areas, double gridUnitsPerDegree)
+WideInteger twiceArea(const std::vector<Polygon> &areas, double gridUnitsPerDegree)
 {
-    Wide sum = 0;
+    WideInteger sum = 0;
     for (const Polygon &area : areas)
     {
         sum += twiceArea(area.outer(), gridUnitsPerDegree);
@@ -48,12 +32,12 @@ Wide twiceArea(const std::vector<Polygon> &areas, double gridUnitsPerDegree)
     return sum;
 }
 
-std::string toDecimal(Wide value)
+std::string toDecimal(WideInteger value)
 {
     if (value == 0)
         return "0";
     std::string digits;
-    for (Wide rest = value < 0 ? -value : value; rest != 0; rest /= 10)
+    for (WideInteger rest = value < 0 ? -value : value; rest != 0; rest /= 10)
         digits += static_cast<char>('0' + static_cast<int>(rest % 10));
     if (value < 0)
         digits += '-';
@@ -109,7 +93,9 @@ void checkGroupOne(CellContents &cell)
     check.applicable = true;
     check.twiceAreaDifference = twiceAreaDifference(cell.coverage, parts, cell.gridUnitsPerDegree);
     check.tiles = check.twiceAreaDifference == "0";
-    if (check.tiles)
+
+    // Equal sums are what a sound cell has, but a gap and an overlap of one size have them too.
+    if (check.tiles && boundariesAddUp(cell.coverage, parts, cell.gridUnitsPerDegree))
         return;
 
     const std::string fault = "the areas of group 1 do not tile the coverage of " + cell.report.name + ": ";
@@ -120,11 +106,12 @@ void checkGroupOne(CellContents &cell)
         gaps = cell.coverage;
         cell.warn(fault + "where can't be found out, so that all of it is blocked");
     }
-    else if (gaps.empty())
-        cell.warn(fault + "they overlap each other or reach beyond it");
-    else
+    else if (!gaps.empty())
         cell.warn(fault + percent(areaDeg2(gaps) / areaDeg2(cell.coverage)) +
                   " of it is described by none and is blocked");
+    else if (!check.tiles)
+        cell.warn(fault + "they overlap each other or reach beyond it");
+    check.tiles = check.tiles && gaps.empty();
     check.gapFraction = areaDeg2(gaps) / areaDeg2(cell.coverage);
     for (std::size_t i = 0; i < gaps.size(); ++i)
         addGap(cell, std::move(gaps[i]), i + 1);

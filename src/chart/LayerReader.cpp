@@ -146,9 +146,12 @@ void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
 
 void LayerReader::readCoverage(const OGRFeature &feature)
 {
-    if (fields_.code(feature, "CATCOV") != COVERAGE_AVAILABLE)
-        return cell_.skip("no data within it (CATCOV is not 1)", objectClass_);
     std::vector<Polygon> areas = toShape(*geometryInDegrees(feature), who(feature)).areas;
+    if (fields_.code(feature, "CATCOV") != COVERAGE_AVAILABLE)
+    {
+        std::move(areas.begin(), areas.end(), std::back_inserter(cell_.noData));
+        return cell_.skip("no data within it (CATCOV is not 1)", objectClass_);
+    }
     if (areas.empty())
         return cell_.skip("coverage without an area", objectClass_);
     std::move(areas.begin(), areas.end(), std::back_inserter(cell_.coverage));

@@ -71,6 +71,15 @@ bool overlap(const std::vector<Polygon> &a, const std::vector<Polygon> &b)
     return common && areaDeg2(toShape(*common, "the intersection of coverages").areas) > 0.0;
 }
 
+bool isSimple(const std::vector<Polygon> &areas)
+{
+    const std::unique_ptr<OGRMultiPolygon> parts = toOgr(areas);
+    for (const OGRPolygon *part : *parts)
+        if (!part->IsValid())
+            return false;
+    return true;
+}
+
 double areaDeg2(const std::vector<Polygon> &areas)
 {
     double sum = 0.0;

@@ -20,6 +20,9 @@ bool subtract(const std::vector<Polygon> &areas, const std::vector<Polygon> &oth
 /// True if the areas share more than a boundary.
 bool overlap(const std::vector<Polygon> &a, const std::vector<Polygon> &b);
 
+/// True if no ring crosses itself or another one of its area.
+bool isSimple(const std::vector<Polygon> &areas);
+
 /// Area in square degrees, whatever the orientation of the rings.
 double areaDeg2(const std::vector<Polygon> &areas);
 

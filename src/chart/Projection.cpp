@@ -145,6 +145,14 @@ bool Projection::isMetric() const
     return transform_->isMetric();
 }
 
+double Projection::largestScale(double farthestEastM) const
+{
+    // On a sphere the scale is cosh(x / R). The smallest radius of curvature of WGS-84, along the meridian at the
+    // equator, gives a bound for the ellipsoid.
+    constexpr double smallestRadiusM = 6335439.0;
+    return isMetric() ? std::cosh(farthestEastM / smallestRadiusM) : 1.0;
+}
+
 double Projection::edgeToleranceM() const
 {
     return isMetric() ? EDGE_TOLERANCE_M : 0.0;

@@ -42,9 +42,11 @@ HazardIndex indexOf(const std::vector<Hazard> &hazards, const std::set<const Haz
     return HazardIndex(hazards, [&objects](const Hazard &hazard) { return objects.count(hazard.object.get()) > 0; });
 }
 
-bool isUnjudged(const Hazard &hazard)
+/// What does not block but is worth a word where a route crosses it, also where only land counts. Quality areas cover
+/// everything; their word is the report's.
+bool deservesAWord(const Hazard &hazard, const Vessel &vessel)
 {
-    return hazard.object->rule == HazardRule::Overhead || hazard.object->rule == HazardRule::Regulation;
+    return hazard.object->rule != HazardRule::Quality && judge(*hazard.object, vessel).outcome == Outcome::Cost;
 }
 
 /// Calls visit(leg, a, b) for every straight piece of the waypoints' image in a frame, until it returns false.
@@ -68,32 +70,34 @@ WrittenRouteCheck::WrittenRouteCheck(const Chart &chart, const ChartArena &arena
       ownHazards_(arena.projection().isMetric() ? std::vector<Hazard>() : projectHazards(chart, metric_)),
       coverageEdge_(edgeOf(arena.coverage())), blocking_(indexOf(arena.hazards(), blockingObjects(arena))),
       blockingMetric_(indexOf(arena.projection().isMetric() ? arena.hazards() : ownHazards_, blockingObjects(arena))),
-      unjudged_(arena.projection().isMetric() ? arena.hazards() : ownHazards_, isUnjudged)
+      cautions_(arena.projection().isMetric() ? arena.hazards() : ownHazards_,
+                [&arena](const Hazard &hazard) { return deservesAWord(hazard, arena.vessel()); })
 {
-    if (arena.projection().isMetric())
-        for (std::size_t i = 0; i < arena.hazards().size(); ++i)
-            if (arena.verdicts()[i].blocks())
-                largestRadiusM_ = std::max(largestRadiusM_, keepOutRadiusM(*arena.hazards()[i].object, arena.vessel()));
+    if (!arena.projection().isMetric())
+    {
+        const double degree = 111320.0;  // metres, at most
+        scale_ = metric_.largestScale(0.5 * degree * (chart.bounds.eastDeg - chart.bounds.westDeg));
+        return;
+    }
+    scale_ = arena.scale();
+    for (std::size_t i = 0; i < arena.hazards().size(); ++i)
+        if (arena.verdicts()[i].blocks())
+            largestRadiusM_ = std::max(largestRadiusM_, keepOutRadiusM(*arena.hazards()[i].object, arena.vessel()));
 }
 
 std::optional<LegFault> WrittenRouteCheck::firstFault(const std::vector<GeoPoint> &waypoints) const
 {
     const HazardIndex edge(coverageEdge_, [](const Hazard &) { return true; });
-    const bool metric = arena_.projection().isMetric();
-    const double margin = metric ? arena_.vessel().marginM : 0.0;
+    const double perMetre = arena_.projection().isMetric() ? scale_ : 0.0;  // of the arena's plane
     std::optional<LegFault> fault;
     forEachPiece(waypoints, arena_.projection(),
                  [&](std::size_t leg, const Point &a, const Point &b)
                  {
-                     for (const HazardIndex::Near &near : blocking_.within(a, b, largestRadiusM_))
-                     {
-                         const double radius = metric ? keepOutRadiusM(*near.hazard->object, arena_.vessel()) : 0.0;
-                         if (near.distance <= radius)
-                             fault = LegFault{leg, "comes within " + std::to_string(near.distance) + " m of " +
-                                                       describe(*near.hazard->object)};
-                     }
-                     if (!fault && !edge.within(a, b, margin).empty())
-                         fault = LegFault{leg, "touches the edge of the chart's coverage"};
+                     for (const HazardIndex::Near &near : blocking_.within(a, b, largestRadiusM_ * perMetre))
+                         if (near.distance <= keepOutRadiusM(*near.hazard->object, arena_.vessel()) * perMetre)
+                             fault = LegFault{leg, "comes too near to " + describe(*near.hazard->object)};
+                     if (!fault && !edge.within(a, b, arena_.vessel().marginM * perMetre).empty())
+                         fault = LegFault{leg, "comes too near to the edge of the chart's coverage"};
                      return !fault;
                  });
     return fault;
@@ -108,16 +112,16 @@ double WrittenRouteCheck::leastClearanceM(const std::vector<GeoPoint> &waypoints
                      least = std::min(least, blockingMetric_.nearest(a, b).distance);
                      return least > 0.0;
                  });
-    return least;
+    return least / scale_;
 }
 
-std::vector<const HazardObject *> WrittenRouteCheck::crossedUnjudged(const std::vector<GeoPoint> &waypoints) const
+std::vector<const HazardObject *> WrittenRouteCheck::crossedCautions(const std::vector<GeoPoint> &waypoints) const
 {
     std::vector<const HazardObject *> crossed;
     forEachPiece(waypoints, metric_,
                  [&](std::size_t, const Point &a, const Point &b)
                  {
-                     for (const HazardIndex::Near &near : unjudged_.within(a, b, ChartArena::growthM))
+                     for (const HazardIndex::Near &near : cautions_.within(a, b, ChartArena::growthM))
                          if (std::find(crossed.begin(), crossed.end(), near.hazard->object.get()) == crossed.end())
                              crossed.push_back(near.hazard->object.get());
                      return true;

@@ -1,5 +1,7 @@
 #include "seahex/geometry/HexLattice.h"
 
+#include "seahex/geometry/SegmentDistance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,13 +13,6 @@ namespace
 {
 
 const double root3 = std::sqrt(3.0);
-
-double distanceToSegment(const Point &p, const Point &a, const Point &b)
-{
-    const Point d = b - a;
-    const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    return (p - a - t * d).norm();
-}
 
 /// A whole number as an integer; numbers beyond 2^60, and what is none, become +-2^60, so that sums of coordinates
 /// hold.

@@ -1,19 +1,15 @@
 #include "seahex/io/GeoJson.h"
 
+#include "PartFile.h"
 #include "chart/GdalDataset.h"
 
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
-#include <atomic>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <mutex>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,54 +20,10 @@ namespace seahex
 namespace
 {
 
-/// A file beside the target that takes the target's name, or vanishes.
-class PartFile
+[[noreturn]] void failBecause(const std::string &reason)
 {
-public:
-    explicit PartFile(const std::string &target) : target_(target), name_(nameBeside(target))
-    {
-        errno = 0;
-        if (!std::ofstream(name_, std::ios::binary))
-            fail(std::strerror(errno));
-        remove();  // it only tried out the folder, for the system's reason: the driver makes new files alone
-    }
-    ~PartFile() { remove(); }
-    PartFile(const PartFile &) = delete;
-    PartFile &operator=(const PartFile &) = delete;
-
-    const std::string &name() const { return name_; }
-
-    [[noreturn]] void fail(const std::string &reason) const
-    {
-        throw WriteError("can't write " + target_ + ": " + reason);
-    }
-
-    void takePlace() const
-    {
-        std::error_code failure;
-        std::filesystem::rename(name_, target_, failure);
-        if (failure)
-            fail(failure.message());
-    }
-
-private:
-    void remove() const
-    {
-        std::error_code ignored;
-        std::filesystem::remove(name_, ignored);
-    }
-
-    // A name of its own for each writer, so that two that write the same file at once don't meet.
-    static std::string nameBeside(const std::string &target)
-    {
-        static std::atomic<unsigned> count{0};
-        static const unsigned process = std::random_device{}();
-        return target + "." + std::to_string(process) + "-" + std::to_string(count++) + ".part";
-    }
-
-    std::string target_;
-    std::string name_;
-};
+    throw PartFile::Failure(reason);
+}
 
 using Pieces = std::vector<std::vector<Point>>;
 
@@ -158,7 +110,7 @@ public:
         std::call_once(registered, [] { GDALAllRegister(); });
         GDALDriver *driver = GetGDALDriverManager()->GetDriverByName("GeoJSON");
         if (driver == nullptr)
-            file.fail("this GDAL has no GeoJSON driver");
+            failBecause("this GDAL has no GeoJSON driver");
         dataset_.reset(driver->Create(file.name().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
         if (!dataset_)
             fail();
@@ -177,7 +129,7 @@ public:
     void addField(const std::string &name, OGRFieldType type)
     {
         if (layer_->GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0)
-            file_.fail("the property \"" + name + "\" would be there twice");
+            failBecause("the property \"" + name + "\" would be there twice");
         OGRFieldDefn field(name.c_str(), type);
         if (layer_->CreateField(&field) != OGRERR_NONE)
             fail();
@@ -202,7 +154,7 @@ public:
 private:
     [[noreturn]] void fail() const
     {
-        file_.fail(messages_.last().empty() ? "the GeoJSON driver failed" : messages_.last());
+        failBecause(messages_.last().empty() ? "the GeoJSON driver failed" : messages_.last());
     }
 
     const PartFile &file_;
@@ -273,13 +225,13 @@ void writeBlockedCells(FeatureWriter &writer, const HexOccupancy &blocked, const
         }
 }
 
-void requireWritable(const PartFile &file, const RouteFileContent &content)
+void requireWritable(const RouteFileContent &content)
 {
     for (const GeoRoute *line : {content.route, content.rawPath})
         if (line != nullptr && line->waypoints.size() < 2)
-            file.fail("a line of " + std::to_string(line->waypoints.size()) + " waypoints is none");
+            failBecause("a line of " + std::to_string(line->waypoints.size()) + " waypoints is none");
     if (content.blocked != nullptr && content.projection == nullptr)
-        file.fail("blocked cells need a projection");
+        failBecause("blocked cells need a projection");
 }
 
 /// The driver doesn't notice when a disk runs full; its file then lacks the end.
@@ -291,37 +243,46 @@ void requireComplete(const PartFile &file)
     std::string found(end.size(), '\0');
     in.read(found.data(), static_cast<std::streamsize>(found.size()));
     if (!in || found != end)
-        file.fail("the file came out incomplete, as on a full disk");
+        failBecause("the file came out incomplete, as on a full disk");
+}
+
+void writeFile(const PartFile &file, const RouteFileContent &content)
+{
+    const DriverMessages messages;
+    FeatureWriter writer(file, messages);
+    addFields(writer, content);
+    if (content.route != nullptr)
+    {
+        writeRoute(writer, content);
+        writeWaypoints(writer, *content.route);
+    }
+    if (content.rawPath != nullptr)
+        writer.write(*writer.feature("raw_path"), lineOf(*content.rawPath));
+    if (content.blocked != nullptr)
+        writeBlockedCells(writer, *content.blocked, *content.projection);
+    writer.close();
 }
 
 }  // namespace
 
 void writeGeoJson(const std::string &path, const RouteFileContent &content)
 {
-    const DriverMessages messages;
-    const PartFile file(path);
-    requireWritable(file, content);
     try
     {
-        FeatureWriter writer(file, messages);
-        addFields(writer, content);
-        if (content.route != nullptr)
-        {
-            writeRoute(writer, content);
-            writeWaypoints(writer, *content.route);
-        }
-        if (content.rawPath != nullptr)
-            writer.write(*writer.feature("raw_path"), lineOf(*content.rawPath));
-        if (content.blocked != nullptr)
-            writeBlockedCells(writer, *content.blocked, *content.projection);
-        writer.close();
+        requireWritable(content);
+        const PartFile file(path);
+        writeFile(file, content);
+        requireComplete(file);
+        file.takePlace();
     }
     catch (const PositionError &error)
     {
-        file.fail(error.what());
+        throw WriteError("can't write " + path + ": " + error.what());
     }
-    requireComplete(file);
-    file.takePlace();
+    catch (const PartFile::Failure &error)
+    {
+        throw WriteError("can't write " + path + ": " + error.what());
+    }
 }
 
 }  // namespace seahex

@@ -1,5 +1,7 @@
 #include "seahex/io/GeoRoute.h"
 
+#include "seahex/geometry/SegmentDistance.h"
+
 #include "seahex/io/ScaleBar.h"
 
 #include <GeographicLib/Geodesic.hpp>
@@ -31,14 +33,6 @@ constexpr double SAMPLED_SHARE = 0.95;
 
 /// Halvings after which a leg is given up: one around the whole earth would be in pieces of 4 cm.
 constexpr int DEEPEST = 30;
-
-double distanceToSegment(const Point &p, const Point &a, const Point &b)
-{
-    const Point along = b - a;
-    const double square = along.squaredNorm();
-    const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-    return (p - (a + t * along)).norm();
-}
 
 /// A straight piece of the plane, as a measure for positions.
 class PlanePiece

@@ -61,7 +61,7 @@ void HexAStar::declareParameters()
 void HexAStar::setRings(int rings)
 {
     if (rings < 1 || rings > 3)
-        throw std::domain_error("rings must be 1, 2 or 3, not " + std::to_string(rings));
+        throw ompl::Exception("HexAStar", "rings must be 1, 2 or 3, not " + std::to_string(rings));
     rings_ = rings;
     query_.reset();
 }
@@ -76,7 +76,7 @@ void HexAStar::setGuidance(const std::string &name)
 {
     const std::optional<Guidance> guidance = guidanceFromString(name);
     if (!guidance)
-        throw std::domain_error("guidance must be none, distance, cheng or tie_break, not '" + name + "'");
+        throw ompl::Exception("HexAStar", "guidance must be none, distance, cheng or tie_break, not '" + name + "'");
     setGuidance(*guidance);
 }
 
@@ -89,7 +89,7 @@ void HexAStar::setAllJumps(bool all)
 void HexAStar::setCellSize(double pitch)
 {
     if (!std::isfinite(pitch) || pitch < 0.0)
-        throw std::domain_error("the cell size must be 0 or more, not " + std::to_string(pitch));
+        throw ompl::Exception("HexAStar", "the cell size must be 0 or more, not " + std::to_string(pitch));
     requestedCellSize_ = pitch;
     query_.reset();
     setup_ = false;
@@ -303,7 +303,9 @@ void HexAStar::startQuery()
 void HexAStar::addSolution()
 {
     const ob::Cost cost = solution_->cost(objective_);
-    ob::PlannerSolution solution(solution_);
+    // A copy, because whoever has the solution may simplify it in place.
+    ob::PlannerSolution solution(
+        std::make_shared<og::PathGeometric>(static_cast<const og::PathGeometric &>(*solution_)));
     solution.setPlannerName(getName());
     solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
     pdef_->addSolutionPath(solution);

@@ -27,7 +27,9 @@ ob::Cost LatticeLengthObjective::motionCost(const ob::State *s1, const ob::State
 
 ob::Cost LatticeLengthObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const
 {
-    return motionCost(s1, s2);
+    // The pieces of a line may add up to less than the whole by rounding; a heuristic above the cost breaks BIT*.
+    constexpr double rounding = 1e-9;
+    return ob::Cost(motionCost(s1, s2).value() * (1.0 - rounding));
 }
 
 }  // namespace seahex

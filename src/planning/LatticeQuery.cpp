@@ -78,11 +78,19 @@ public:
             tryJoin(state, own + around_[tried_ % around_.size()], isStart);
         }
         for (const Joint &joint : starts)
-        {
-            const Point from = embedding.position(best(starts, joint.cell).state);
-            startHeadings[layout.index(joint.cell)] = headingFrom(from, question.lattice.centre(joint.cell));
-        }
+            startHeadings[layout.index(joint.cell)] = jointHeading(best(starts, joint.cell).state, joint.cell, true);
         return true;
+    }
+
+    /// The yaw at a centre that a start or goal joins: the course of the leg between them; the state's own where there
+    /// is no way to go.
+    double jointHeading(const ob::State *state, HexCoord cell, bool isStart) const
+    {
+        const Point p = embedding.position(state);
+        const Point centre = question.lattice.centre(cell);
+        if (p == centre)
+            return embedding.heading(state);
+        return isStart ? headingFrom(p, centre) : headingFrom(centre, p);
     }
 
     /// The cheapest of the joints to a cell.
@@ -95,6 +103,9 @@ public:
                 best = &joint;
         return *best;
     }
+
+    /// Forgets the cheapest joint of a goal to a cell.
+    void dropGoal(HexCoord cell) { goals.erase(goals.begin() + (&best(goals, cell) - goals.data())); }
 
     std::vector<GoalCell> goalCells() const
     {
@@ -138,9 +149,7 @@ private:
 
     void placeCentre(const ob::State *state, HexCoord cell, bool isStart)
     {
-        const Point p = embedding.position(state);
-        const Point centre = question.lattice.centre(cell);
-        embedding.place(scratch_.get(), centre, isStart ? headingFrom(p, centre) : headingFrom(centre, p));
+        embedding.place(scratch_.get(), question.lattice.centre(cell), jointHeading(state, cell, isStart));
     }
 
     void add(const ob::State *state, HexCoord cell, bool isStart)
@@ -203,7 +212,9 @@ public:
             if (verdict != Verdict::Mended)
                 return verdict == Verdict::Sound ? SearchStatus::Found : SearchStatus::Stopped;
             search_.reset();
-            examined_ = 0;
+            if (parts_->question.trace != nullptr)
+                parts_->question.trace->clear();
+            examined_ = 1;
             addStarts();
         }
     }
@@ -219,13 +230,14 @@ public:
         const Joint &last = parts_->best(parts_->goals, parts_->layout.cell(cells.back()));
         path->append(first.state);
         ob::ScopedState<> state(q.si);
-        Point before = parts_->embedding.position(first.state);
-        for (const CellIndex cell : cells)
+        double heading = parts_->jointHeading(first.state, first.cell, true);
+        for (std::size_t i = 0; i < cells.size(); ++i)
         {
-            const Point centre = q.lattice.centre(parts_->layout.cell(cell));
-            parts_->embedding.place(state.get(), centre, headingFrom(before, centre));
+            const Point centre = q.lattice.centre(parts_->layout.cell(cells[i]));
+            if (i > 0)
+                heading = headingFrom(q.lattice.centre(parts_->layout.cell(cells[i - 1])), centre);
+            parts_->embedding.place(state.get(), centre, heading);
             path->append(state.get());
-            before = centre;
         }
         path->append(last.state);
         return path;
@@ -278,11 +290,9 @@ private:
     void takeOut(std::size_t leg)
     {
         const std::vector<CellIndex> cells = search_.path();
-        if (leg == 0)
-            return dropJoint(parts_->starts, cells.front());
         if (leg == cells.size())
         {
-            dropJoint(parts_->goals, cells.back());
+            parts_->dropGoal(parts_->layout.cell(cells.back()));
             return graph_.setGoals(parts_->goalCells());
         }
         const HexCoord step = parts_->layout.cell(cells[leg]) - parts_->layout.cell(cells[leg - 1]);
@@ -291,16 +301,12 @@ private:
                 parts_->cache->forbid(cells[leg - 1], k);
     }
 
-    void dropJoint(std::vector<Joint> &joints, CellIndex cell)
-    {
-        joints.erase(joints.begin() + (&parts_->best(joints, parts_->layout.cell(cell)) - joints.data()));
-    }
-
     std::unique_ptr<QueryParts> parts_;
     Graph graph_;
     AStar<Graph> search_;
     bool joined_ = false;
-    std::size_t examined_ = 0;  // legs of the path found that hold
+    std::size_t examined_ =
+        1;  // legs of the path found that hold: a start is joined by the very motion that was asked for
 };
 
 /// The graph of a query for one kind of weight: on the occupancy, or on the user's own checker.

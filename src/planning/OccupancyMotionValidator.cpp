@@ -34,7 +34,11 @@ bool OccupancyMotionValidator::checkMotion(const ob::State *s1, const ob::State 
     lastValid.second = lastValidFraction(s1, s2, state);
     if (lastValid.first != nullptr)
     {
-        si_->getStateSpace()->interpolate(s1, s2, lastValid.second, state);
+        si_->copyState(state, s1);
+        if (lastValid.second > 0.0)
+            si_->getStateSpace()->interpolate(s1, s2, lastValid.second, state);
+        if (lastValid.second > 0.0 && !si_->satisfiesBounds(state))
+            si_->enforceBounds(state);  // a yaw half way between two others may come out as pi, which is -pi
         si_->copyState(lastValid.first, state);
     }
     si_->freeState(state);
@@ -54,7 +58,9 @@ double OccupancyMotionValidator::lastValidFraction(const ob::State *s1, const ob
     {
         const double middle = 0.5 * (valid + invalid);
         si_->getStateSpace()->interpolate(s1, s2, middle, state);
-        const bool holds = si_->satisfiesBounds(state) && isFree(*occupancy_, a, embedding_.position(state));
+        const Point p = embedding_.position(state);
+        embedding_.place(state, p);  // with a yaw that is no matter
+        const bool holds = si_->satisfiesBounds(state) && isFree(*occupancy_, a, p);
         (holds ? valid : invalid) = middle;
     }
     return valid;

@@ -31,6 +31,11 @@ Point PlanarEmbedding::position(const ob::State *state) const
     return {values[0], values[1]};
 }
 
+double PlanarEmbedding::heading(const ob::State *state) const
+{
+    return hasHeading_ ? state->as<ob::SE2StateSpace::StateType>()->getYaw() : 0.0;
+}
+
 void PlanarEmbedding::place(ob::State *state, const Point &position, double heading) const
 {
     if (hasHeading_)

@@ -23,6 +23,20 @@ Route countedPart(const Route &route, CountedLegs counted)
     return Route(std::vector<Point>(all.begin() + 1, all.end() - 1));
 }
 
+double latticeLength(const Route &route, const HexLattice &lattice, CountedLegs counted)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < route.legCount(); ++i)
+    {
+        const Leg leg = route.leg(i);
+        // between centres D is a whole number, and is counted as such
+        sum += counted == CountedLegs::BetweenCentres
+                   ? static_cast<double>(hexDistance(lattice.cellAt(leg.from), lattice.cellAt(leg.to)))
+                   : hexNorm(leg.to - leg.from, lattice);
+    }
+    return sum;
+}
+
 void countTurns(const Route &route, RouteMetrics &metrics)
 {
     bool hasHeading = false;
@@ -77,8 +91,7 @@ RouteMetrics measureRoute(const Route &route, const HexOccupancy &occupancy, Cou
     RouteMetrics metrics;
     metrics.lengthCells = route.length() / occupancy.lattice().pitch();
     const Route part = countedPart(route, counted);
-    for (std::size_t i = 0; i < part.legCount(); ++i)
-        metrics.lengthLattice += hexNorm(part.leg(i).to - part.leg(i).from, occupancy.lattice());
+    metrics.lengthLattice = latticeLength(part, occupancy.lattice(), counted);
     countTurns(part, metrics);
     metrics.potentialHazards = countPotentialHazards(route, occupancy);
     return metrics;

@@ -120,12 +120,23 @@ Verdict judgeSounding(const HazardObject &object, double requiredM)
     return byDepth(isDeeper(*depthM, requiredM), *depthM, Outcome::Ignored, "sounding");
 }
 
-bool isFoulGroundOnly(const HazardObject &object)
+/// True if WATLEV says that the object is at the surface at least at times.
+bool shows(const HazardObject &object)
 {
     const double watlev = object.value("WATLEV").value_or(0.0);
-    const bool shows = watlev == PARTLY_SUBMERGED || watlev == ALWAYS_DRY || watlev == COVERS_AND_UNCOVERS ||
-                       watlev == AWASH || watlev == SUBJECT_TO_FLOODING;
-    return object.has("CATOBS", 7) && !shows;
+    return watlev == PARTLY_SUBMERGED || watlev == ALWAYS_DRY || watlev == COVERS_AND_UNCOVERS || watlev == AWASH ||
+           watlev == SUBJECT_TO_FLOODING || watlev == FLOATING;
+}
+
+bool isFoulGroundOnly(const HazardObject &object)
+{
+    return object.has("CATOBS", 7) && !shows(object);
+}
+
+/// NEWOBJ and its like: nobody knows what it is, but where it says that it shows above water, it is in the way.
+Verdict judgeCaution(const HazardObject &object)
+{
+    return shows(object) ? blocked("shows at the surface") : cost("caution");
 }
 
 Verdict judgeDanger(const HazardObject &object, double requiredM)
@@ -216,7 +227,7 @@ Verdict judge(const HazardObject &object, const Vessel &vessel, HazardScope scop
         case HazardRule::ChartGap:
             return blocked("no area of the chart describes this water");
         case HazardRule::Caution:
-            return cost("caution");
+            return judgeCaution(object);
         case HazardRule::Overhead:
             return cost("overhead: clearance not judged");
         case HazardRule::Regulation:

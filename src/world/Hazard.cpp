@@ -54,13 +54,27 @@ bool HazardObject::has(const std::string &acronym, int code) const
            std::find(attribute->values.begin(), attribute->values.end(), code) != attribute->values.end();
 }
 
+namespace
+{
+
+/// A name from a chart on one line, without what a terminal would obey.
+std::string printable(std::string text)
+{
+    for (char &c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = ' ';
+    return text;
+}
+
+}  // namespace
+
 std::string describe(const HazardObject &object)
 {
     std::string text = object.objectClass;
     if (!object.featureId.empty())
         text += " " + object.featureId;
     if (!object.name.empty())
-        text += " \"" + object.name + "\"";
+        text += " \"" + printable(object.name) + "\"";
     if (!object.cell.empty())
         text += " of " + object.cell;
     if (object.attributes.empty())

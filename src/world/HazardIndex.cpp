@@ -1,5 +1,7 @@
 #include "seahex/world/HazardIndex.h"
 
+#include "seahex/geometry/SegmentDistance.h"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -33,14 +35,6 @@ struct Area
     const Hazard *hazard;
 };
 
-double pointToSegment(const Point &p, const Segment &s)
-{
-    const Point d = s.second - s.first;
-    const double squared = d.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp((p - s.first).dot(d) / squared, 0.0, 1.0) : 0.0;
-    return (p - s.first - t * d).norm();
-}
-
 double side(const Segment &s, const Point &p)
 {
     const Point d = s.second - s.first;
@@ -56,8 +50,9 @@ bool strictlyApart(double a, double b)
 /// Exact up to rounding. Segments that merely touch may count as crossing or as 1e-16 of their size apart.
 double segmentToSegment(const Segment &a, const Segment &b)
 {
-    const double ends = std::min({pointToSegment(a.first, b), pointToSegment(a.second, b), pointToSegment(b.first, a),
-                                  pointToSegment(b.second, a)});
+    const double ends =
+        std::min({distanceToSegment(a.first, b.first, b.second), distanceToSegment(a.second, b.first, b.second),
+                  distanceToSegment(b.first, a.first, a.second), distanceToSegment(b.second, a.first, a.second)});
     if (ends == 0.0 || strictlyApart(side(a, b.first), side(a, b.second)) ||
         strictlyApart(side(b, a.first), side(b, a.second)))
         return ends;
@@ -135,6 +130,7 @@ public:
             if (bg::covered_by(segment.first, *areas_[it->second].polygon))
                 found[areas_[it->second].hazard] = 0.0;
         std::vector<Near> result;
+        result.reserve(found.size());
         for (const auto &[hazard, d] : found)
             result.push_back({hazard, d});
         return result;

@@ -278,4 +278,27 @@ TEST(Projection, projectsEveryHazardOfAChart)
     EXPECT_LT(hazards[1].shape.points.at(0).norm(), 1e-6);
 }
 
+TEST(Projection, theScaleIsABoundOfThePlanesStretch)
+{
+    for (const double latitude : {0.0, 21.5, 60.0, 75.0})
+    {
+        const auto projection = Projection::transverseMercator(GeoPoint::fromLatLon(latitude, 10.0));
+        for (const double east : {0.0, 0.5, 3.0, 12.0, 25.0})
+        {
+            // a short leg northward: 1e-4 degree along the meridian, whose length on WGS-84 is known
+            const Point a = projection.forward(GeoPoint::fromLatLon(latitude, 10.0 + east));
+            const Point b = projection.forward(GeoPoint::fromLatLon(latitude + 1e-4, 10.0 + east));
+            const double radians = 3.14159265358979323846 / 180.0;
+            const double sine = std::sin((latitude + 5e-5) * radians);
+            const double curvature =
+                6378137.0 * (1.0 - 0.00669437999014) / std::pow(1.0 - 0.00669437999014 * sine * sine, 1.5);
+            const double scale = (b - a).norm() / (1e-4 * radians * curvature);
+            EXPECT_LE(scale, projection.largestScale(std::max(std::abs(a.x()), std::abs(b.x()))) + 1e-7)
+                << latitude << " " << east;
+            EXPECT_GE(scale, 0.99 * projection.largestScale(std::abs(a.x()))) << "and not a wild one";
+        }
+    }
+    EXPECT_EQ(Projection::plateCarree().largestScale(100.0), 1.0);
+}
+
 }  // namespace

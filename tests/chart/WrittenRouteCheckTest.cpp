@@ -93,10 +93,10 @@ TEST_P(WrittenRouteCheckOf, measuresMetresToTheHazardItself)
 
 TEST_P(WrittenRouteCheckOf, namesWhatIsNotJudgedYet)
 {
-    const auto under = check_.crossedUnjudged(line({{50.08, 10.01}, {50.08, 10.09}, {50.08, 10.01}}));
+    const auto under = check_.crossedCautions(line({{50.08, 10.01}, {50.08, 10.09}, {50.08, 10.01}}));
     ASSERT_EQ(under.size(), 1u);
     EXPECT_EQ(under.front()->objectClass, "BRIDGE");
-    EXPECT_TRUE(check_.crossedUnjudged(line({{50.03, 10.01}, {50.03, 10.09}})).empty());
+    EXPECT_TRUE(check_.crossedCautions(line({{50.03, 10.01}, {50.03, 10.09}})).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Frames, WrittenRouteCheckOf, testing::Bool(),

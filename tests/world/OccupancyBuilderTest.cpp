@@ -15,6 +15,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
+
 using namespace seahex;
 using namespace seahex::test;
 
@@ -326,4 +329,29 @@ TEST(OccupancyBuilder, shapesAddUp)
                     [&](HexCoord cell)
                     { ASSERT_EQ(both->isBlocked(cell), one->isBlocked(cell) || other->isBlocked(cell)); });
     }
+}
+
+TEST(OccupancyBuilder, refusesWhatIsNoNumber)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    OccupancyBuilder builder(HexLattice(Point(0, 0), 1.0, 4, 4));
+    Shape point;
+    point.points.push_back(Point(1.0, nan));
+    EXPECT_THROW(builder.block(point, 0.0), std::domain_error);
+    Shape area;
+    area.areas.emplace_back();
+    for (const Point &p : {Point(0, 0), Point(2, 0), Point(nan, -2), Point(0, 0)})
+        area.areas.back().outer().push_back(p);
+    EXPECT_THROW(builder.block(area, 0.0), std::domain_error);
+    EXPECT_THROW(builder.blockOutside(area.areas, 0.0), std::domain_error);
+}
+
+TEST(OccupancyBuilder, takesCoordinatesBeyondAllMeasure)
+{
+    OccupancyBuilder builder(HexLattice(Point(0, 0), 1.0, 4, 4));
+    Shape line;
+    line.lines.push_back({Point(-1e300, -2.0), Point(1e300, -2.0)});
+    line.points.push_back(Point(1e25, -1e25));
+    builder.block(line, 0.0);
+    EXPECT_GT(builder.build()->blockedCount(), 0);
 }

@@ -55,6 +55,8 @@ public:
     const std::vector<Verdict> &verdicts() const { return verdicts_; }
     /// The coverage in the plane.
     const Shape &coverage() const { return coverage_; }
+    /// Most metres of the plane to a metre on the ground anywhere on the chart (Projection::largestScale).
+    double scale() const { return scale_; }
     /// Wall time of projecting, judging and filling, milliseconds.
     double buildMs() const { return buildMs_; }
 
@@ -67,6 +69,7 @@ public:
 
 private:
     void build(const HexLattice &lattice);
+    double inPlane(double distanceM) const;
     double radius(std::size_t hazard) const;
     std::vector<std::string> explain(const Point &p, std::optional<HexCoord> cell) const;
 
@@ -77,6 +80,7 @@ private:
     std::vector<Verdict> verdicts_;
     Shape coverage_;
     std::shared_ptr<const HexOccupancy> occupancy_;
+    double scale_ = 1.0;
     double buildMs_ = 0.0;
 };
 

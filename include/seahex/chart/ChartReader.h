@@ -2,6 +2,7 @@
 
 #include <seahex/chart/Chart.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,18 @@ namespace seahex
 /// object of a blocking class has a geometry, and that every coordinate is a position. What was not used, and why, is
 /// in the report of each cell, as are the words of the drivers.
 ///
-/// Limits: longitudes are taken as they are, so that a chart across the 180th meridian must count on beyond 180
-/// degrees. Areas of an OGR source that meet should share their corners: where only one of them has a corner on a
-/// common edge that is bent by a transformation, a gap opens, which blocks. Updates of a cell that is re-issued are
-/// refused, because GDAL does not apply them.
+/// If a window is given, cells whose coverage lies outside of it are left aside and named in a warning (unless none
+/// would be left): from a folder of many cells only those near the voyage are then planned on.
+///
+/// Limits: a chart may span 60 degrees of longitude within -180 to 180, none across the antimeridian. Areas of an OGR
+/// source that meet should share their corners: where only one of them has a corner on a common edge that is bent by a
+/// transformation, a gap opens, which blocks. Updates of a cell that is re-issued are refused, because GDAL does not
+/// apply them.
 ///
 /// Thread-safe: calls share nothing.
 ///
 /// @throws ChartUnreadable, ChartDamaged, ChartUnsupported, ChartEmpty
-Chart readChart(const std::vector<std::string> &sources);
+Chart readChart(const std::vector<std::string> &sources, const std::optional<GeoBox> &window = std::nullopt);
 Chart readChart(const std::string &source);
 
 }  // namespace seahex

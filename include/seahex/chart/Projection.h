@@ -35,6 +35,11 @@ public:
     /// keeps straight edges straight.
     double edgeToleranceM() const;
 
+    /// Most metres of the plane to a metre on the ground, at points up to `farthestEastM` east or west of the centre:
+    /// the plane is stretched away from its meridian. Multiply by it what must not be less on the ground, divide by it
+    /// what is measured in the plane. 1 in the plate carree frame.
+    double largestScale(double farthestEastM) const;
+
     /// @throws PositionError if the position can't be projected.
     Point forward(const GeoPoint &position) const;
 

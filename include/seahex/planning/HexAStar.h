@@ -66,15 +66,15 @@ public:
     void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
     using ompl::base::Planner::solve;
-    /// The solution's states and motions.
+    /// The states and motions of the last solve()'s solution; the states are the planner's.
     void getPlannerData(ompl::base::PlannerData &data) const override;
 
-    /// 1, 2 or 3 rings: 6, 18 or 36 successors; 3 by default. @throws std::domain_error otherwise
+    /// 1, 2 or 3 rings: 6, 18 or 36 successors; 3 by default. @throws ompl::Exception otherwise
     void setRings(int rings);
     int getRings() const { return rings_; }
 
     void setGuidance(Guidance guidance);
-    /// By name: none, distance, cheng, tie_break. @throws std::domain_error for another
+    /// By name: none, distance, cheng, tie_break. @throws ompl::Exception for another
     void setGuidance(const std::string &name);
     std::string getGuidance() const { return toString(guidance_); }
 
@@ -84,7 +84,7 @@ public:
     bool getAllJumps() const { return allJumps_; }
 
     /// Pitch of the lattice where there is no chart, in the space's unit; 0 (default): a 200th of the largest extent.
-    /// @throws std::domain_error if negative or not a number
+    /// @throws ompl::Exception if negative or not a number
     void setCellSize(double pitch);
     double getCellSize() const { return requestedCellSize_; }
 

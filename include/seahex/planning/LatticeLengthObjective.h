@@ -9,7 +9,8 @@ namespace seahex
 {
 
 /// Path length in steps of the lattice: D of [Cheng2020] eq. 4 for jumps between centres, extended to all segments as
-/// the norm that D is (hexNorm). Its motion cost is its own exact heuristic.
+/// the norm that D is (hexNorm). Its motion cost, less a billionth for rounding, is its own
+/// heuristic.
 class LatticeLengthObjective : public ompl::base::OptimizationObjective
 {
 public:

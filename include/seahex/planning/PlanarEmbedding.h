@@ -24,6 +24,9 @@ public:
     /// x and y of a state.
     Point position(const ompl::base::State *state) const;
 
+    /// Yaw of a state in radians; 0 where states have none.
+    double heading(const ompl::base::State *state) const;
+
     /// Sets x and y of a state, and its yaw (radians, mathematical; any multiple of a turn) where the space has
     /// one.
     void place(ompl::base::State *state, const Point &position, double heading = 0.0) const;

@@ -21,7 +21,7 @@ enum class HazardRule
     Mooring,     ///< MORFAC: dolphins, bollards, tie-up walls, piles and mooring buoys block (CATMOR 1 to 5, 7)
     Pipeline,    ///< PIPSOL: blocks if DRVAL1 is known and not more than the required depth
     ChartGap,    ///< water inside the coverage that no group 1 area describes: a chart fault, blocks
-    Caution,     ///< never blocks; worth a word to the navigator
+    Caution,     ///< worth a word to the navigator; blocks only if WATLEV says that it shows at the surface
     Overhead,    ///< BRIDGE, CBLOHD, ...: reported where a route crosses it, not judged yet
     Regulation,  ///< RESARE, TSSLPT, ...: reported where a route crosses it, not judged yet
     Quality,     ///< M_QUAL and relatives: reported, not judged yet

@@ -1,0 +1,123 @@
+// Charts that are sound files but say something impossible or dangerous about their own coverage.
+
+#include "seahex/chart/ChartError.h"
+#include "seahex/chart/ChartReader.h"
+
+#include "support/TestCharts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace seahex;
+using namespace seahex::test;
+
+namespace
+{
+
+TestFeature coverage(const std::string &wkt, int catcov = 1)
+{
+    return {wkt, {{"CATCOV", catcov}}};
+}
+
+TestFeature deepWater(const std::string &wkt)
+{
+    return {wkt, {{"DRVAL1", 10.0}, {"DRVAL2", 20.0}}};
+}
+
+Chart read(const std::vector<TestLayer> &layers)
+{
+    const TemporaryFolder folder;
+    const auto path = folder / "chart.gpkg";
+    writeChart(path, layers);
+    return readChart(path.string());
+}
+
+double gapFraction(const Chart &chart)
+{
+    return chart.cells.at(0).groupOne.gapFraction;
+}
+
+TEST(ChartFault, aGapIsFoundAlthoughAnOverlapMakesUpForItsArea)
+{
+    const Chart chart =
+        read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.2, 50.1))}},
+              {"DEPARE", {deepWater(boxWkt(10.0, 50.0, 10.1, 50.1)), deepWater(boxWkt(10.0, 50.0, 10.1, 50.1))}}});
+    EXPECT_EQ(chart.cells.at(0).groupOne.twiceAreaDifference, "0");
+    EXPECT_FALSE(chart.cells.at(0).groupOne.tiles);
+    EXPECT_NEAR(gapFraction(chart), 0.5, 1e-9);
+    EXPECT_TRUE(std::any_of(chart.hazards.begin(), chart.hazards.end(),
+                            [](const GeoHazard &hazard) { return hazard.object->rule == HazardRule::ChartGap; }));
+}
+
+TEST(ChartFault, aGapIsFoundAlthoughAnAreaBeyondTheCoverageMakesUpForIt)
+{
+    const Chart chart = read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.2, 50.1))}},
+                              {"DEPARE", {deepWater(boxWkt(9.9, 50.0, 10.1, 50.1))}}});
+    EXPECT_EQ(chart.cells.at(0).groupOne.twiceAreaDifference, "0");
+    EXPECT_NEAR(gapFraction(chart), 0.5, 1e-9);
+}
+
+TEST(ChartFault, areasThatShareLinesButNotCornersTile)
+{
+    // the southern area has corners on the northern one's edge and on the coverage's that the others lack
+    const Chart chart =
+        read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.2, 50.1))}},
+              {"DEPARE",
+               {deepWater("POLYGON ((10 50, 10.05 50, 10.2 50, 10.2 50.05, 10.1 50.05, 10 50.05, 10 50.02, 10 50))"),
+                deepWater(boxWkt(10.0, 50.05, 10.2, 50.1))}}});
+    EXPECT_TRUE(chart.cells.at(0).groupOne.tiles);
+    EXPECT_EQ(gapFraction(chart), 0.0);
+    EXPECT_TRUE(chart.cells.at(0).warnings.empty()) << chart.cells.at(0).warnings.front();
+}
+
+TEST(ChartFault, whatIsDeclaredToHoldNoDataIsTakenOutOfTheCoverage)
+{
+    const Chart chart =
+        read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.2, 50.1)), coverage(boxWkt(10.05, 50.02, 10.1, 50.05), 2)}},
+              {"DEPARE", {deepWater(boxWkt(10.0, 50.0, 10.2, 50.1))}}});
+    ASSERT_EQ(chart.coverage.lonLat.areas.size(), 1u);
+    EXPECT_EQ(chart.coverage.lonLat.areas.front().inners().size(), 1u);
+}
+
+TEST(ChartFault, noDataBesideTheCoverageChangesNothing)
+{
+    const Chart chart =
+        read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.1, 50.1)), coverage(boxWkt(10.1, 50.0, 10.2, 50.1), 2)}},
+              {"DEPARE", {deepWater(boxWkt(10.0, 50.0, 10.1, 50.1))}}});
+    EXPECT_TRUE(chart.cells.at(0).groupOne.tiles);
+    EXPECT_EQ(chart.bounds.eastDeg, 10.1);
+}
+
+TEST(ChartFault, aCoverageThatCrossesItselfIsRefused)
+{
+    EXPECT_THROW(read({{"M_COVR", {coverage("POLYGON ((10 50, 10.2 50.1, 10.2 50, 10 50.1, 10 50))")}},
+                       {"DEPARE", {deepWater(boxWkt(10.0, 50.0, 10.2, 50.1))}}}),
+                 ChartDamaged);
+}
+
+TEST(ChartFault, aChartAroundHalfTheWorldIsRefused)
+{
+    EXPECT_THROW(read({{"M_COVR", {coverage(boxWkt(-179.9, 10.0, 179.9, 10.1))}},
+                       {"DEPARE", {deepWater(boxWkt(-179.9, 10.0, 179.9, 10.1))}}}),
+                 ChartUnsupported);
+    EXPECT_THROW(read({{"M_COVR", {coverage(boxWkt(179.9, 10.0, 180.2, 10.1))}},
+                       {"DEPARE", {deepWater(boxWkt(179.9, 10.0, 180.2, 10.1))}}}),
+                 ChartUnsupported);
+}
+
+TEST(ChartFault, cellsAwayFromTheWindowAreLeftAside)
+{
+    const std::vector<std::string> maps = {std::string(SEAHEX_MAPS_DIR) + "/shangchuan.000",
+                                           std::string(SEAHEX_MAPS_DIR) + "/sanya.000"};
+    EXPECT_EQ(readChart(maps).cells.size(), 2u);
+    const Chart near = readChart(maps, GeoBox{109.5, 18.1, 109.6, 18.2});
+    ASSERT_EQ(near.cells.size(), 1u);
+    EXPECT_EQ(near.cells.front().name, "sanya");
+    EXPECT_NE(near.cells.front().warnings.back().find("shangchuan"), std::string::npos);
+    EXPECT_EQ(readChart(maps, GeoBox{0.0, 0.0, 1.0, 1.0}).cells.size(), 2u) << "none would be left";
+}
+
+}  // namespace
