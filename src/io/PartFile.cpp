@@ -17,10 +17,12 @@ namespace
 std::string followed(const std::string &target)
 {
     std::error_code ignored;
+    if (fs::is_symlink(target, ignored) && !fs::exists(target, ignored))
+        return (fs::absolute(target, ignored).parent_path() / fs::read_symlink(target, ignored)).string();
     if (!fs::exists(target, ignored))
         return target;
     if (!fs::is_regular_file(target, ignored))
-        throw PartFile::Failure(fs::is_directory(target, ignored) ? "it is a folder" : "it is no regular file");
+        throw PartFile::Failure(fs::is_directory(target, ignored) ? std::strerror(EISDIR) : "Not a regular file");
     return fs::is_symlink(target, ignored) ? fs::canonical(target).string() : target;
 }
 

@@ -18,8 +18,8 @@ constexpr double mostPieces = 400.0;
 constexpr double leastGain = 1e-5;
 constexpr double rounding = 1e-12;
 
-/// From each waypoint on to the farthest one that can be seen: doubling strides, then halving them. Sight is not monotone,
-/// so this may stop short of the very farthest; the next round looks from other points.
+/// From each waypoint on to the farthest one that can be seen: doubling strides, then halving them. Sight is not
+/// monotone, so this may stop short of the very farthest; the next round looks from other points.
 Points pullOnce(const Points &points, const SegmentPredicate &isValid)
 {
     Points kept = {points.front()};

@@ -9,7 +9,7 @@ namespace seahex
 {
 
 HexJumps::HexJumps(const CellLayout &layout, int rings, JumpSet set)
-  : rings_(rings), stride_(static_cast<CellIndex>(layout.stride()))
+    : rings_(rings), stride_(static_cast<CellIndex>(layout.stride()))
 {
     for (const RingOffset &offset : ringOffsets(rings))
         if (set == JumpSet::All || offset.primitive)
@@ -20,8 +20,8 @@ HexJumps::HexJumps(const CellLayout &layout, int rings, JumpSet set)
         const auto q = static_cast<double>(jump.offset.q);
         const auto s = static_cast<double>(jump.offset.s);
         lengths_.push_back(std::sqrt(q * q + q * s + s * s));
-        const auto back = std::find_if(offsets_.begin(), offsets_.end(), [&jump](const RingOffset &other)
-                                       { return other.offset == -1 * jump.offset; });
+        const auto back = std::find_if(offsets_.begin(), offsets_.end(),
+                                       [&jump](const RingOffset &other) { return other.offset == -1 * jump.offset; });
         opposites_.push_back(static_cast<std::size_t>(back - offsets_.begin()));
     }
 

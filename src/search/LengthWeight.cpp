@@ -7,7 +7,7 @@ namespace seahex
 
 LengthWeight::LengthWeight(const HexLattice &lattice, const HexJumps &jumps, LengthMetric metric, Guidance guidance,
                            const Point &start, const Point &goal)
-  : lattice_(lattice), rings_(jumps.rings()), metric_(metric), guidance_(guidance), start_(start), goal_(goal)
+    : lattice_(lattice), rings_(jumps.rings()), metric_(metric), guidance_(guidance), start_(start), goal_(goal)
 {
     for (std::size_t k = 0; k < jumps.size(); ++k)
         costs_.push_back(metric == LengthMetric::Lattice ? jumps.offset(k).ring : jumps.length(k));

@@ -14,7 +14,7 @@ class NearestCell
 {
 public:
     NearestCell(const HexOccupancy &occupancy, const Point &p, bool blocked)
-      : occupancy_(occupancy), lattice_(occupancy.lattice()), p_(p), flip_(blocked ? 0 : ~std::uint64_t{0})
+        : occupancy_(occupancy), lattice_(occupancy.lattice()), p_(p), flip_(blocked ? 0 : ~std::uint64_t{0})
     {
     }
 
@@ -62,10 +62,7 @@ private:
             best_ = CellDistance{cell, distance};
     }
 
-    std::uint64_t word(std::int64_t index) const
-    {
-        return occupancy_.words()[static_cast<std::size_t>(index)] ^ flip_;
-    }
+    std::uint64_t word(std::int64_t index) const { return occupancy_.words()[static_cast<std::size_t>(index)] ^ flip_; }
 
     /// Position in the row of the last set bit at or before `position`, -1 if there is none.
     std::int64_t westward(std::int64_t rowBegin, std::int64_t position) const

@@ -8,7 +8,7 @@ namespace seahex
 {
 
 HexOccupancy::HexOccupancy(const HexLattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words)
-  : lattice_(lattice), layout_(layout), words_(std::move(words)), blockedCount_(0)
+    : lattice_(lattice), layout_(layout), words_(std::move(words)), blockedCount_(0)
 {
     if (words_.size() != layout_.wordCount() || layout_.columns() != lattice_.columns() ||
         layout_.rows() != lattice_.rows())

@@ -29,7 +29,10 @@ void ScanlineFill::forEachCrossing(const Ring &ring, Visit &&visit) const
     const double firstY = lattice_.side();
     const Point origin = lattice_.northWest();
     // Each vertex is turned into a row number once and compared as such, so that the two edges that meet there agree.
-    const auto rowOf = [&](const Point &p) { return std::ceil((origin.y() - p.y() - firstY) / rowStep); };
+    const auto rowOf = [&](const Point &p)
+    {
+        return std::ceil((origin.y() - p.y() - firstY) / rowStep);
+    };
     double previousRow = ring.empty() ? 0.0 : rowOf(ring.front());
     for (std::size_t i = 1; i < ring.size(); ++i)
     {
@@ -61,8 +64,10 @@ void ScanlineFill::countRing(const Ring &ring)
 
 void ScanlineFill::placeRing(const Ring &ring, int orientation)
 {
-    forEachCrossing(ring, [this, orientation](std::int64_t row, double x, int winding)
-                    { crossings_[--rowStart_[static_cast<std::size_t>(row)]] = {x, winding * orientation}; });
+    forEachCrossing(ring,
+                    [this, orientation](std::int64_t row, double x, int winding) {
+                        crossings_[--rowStart_[static_cast<std::size_t>(row)]] = {x, winding * orientation};
+                    });
 }
 
 void ScanlineFill::fill(const Polygon &polygon, CellBits &bits)

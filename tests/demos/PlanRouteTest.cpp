@@ -188,13 +188,57 @@ TEST(PlanRoute, everyGuidanceAndMetricGivesASafeRoute)
     }
 }
 
-TEST(PlanRoute, chartsAreReadTogether)
+TEST(PlanRoute, chartsAwayFromTheVoyageAreLeftAside)
 {
     const Json report =
         routeReport({"--chart", shangchuan(), sanya(), "--from", "18.150,109.420", "--to", "18.250,109.780"});
     ASSERT_TRUE(report.is_object());
-    EXPECT_EQ(report.at("chart").at("cells").size(), 2u);
+    ASSERT_EQ(report.at("chart").at("cells").size(), 1u);
+    const Json &cell = report.at("chart").at("cells").at(0);
+    EXPECT_EQ(cell.at("name"), "sanya");
+    EXPECT_NE(cell.at("warnings").dump().find("shangchuan"), std::string::npos);
     expectSafe(report, ChartOracle(sanya(), {1.2, 0.5}));
+}
+
+TEST(PlanRoute, neighbouringChartsAreReadTogether)
+{
+    const char *data = std::getenv("SEAHEX_TEST_DATA");
+    const fs::path noaa = fs::path(data == nullptr ? "" : data) / "charts" / "noaa";
+    if (data == nullptr || !fs::exists(noaa / "US5MD1MC"))
+        GTEST_SKIP() << "SEAHEX_TEST_DATA names no folder with charts/noaa";
+    const fs::path bay = noaa / "US4MD81M" / "US4MD81M.000";
+    const Json report = routeReport(
+        {"--chart", bay.string(), (noaa / "US5MD1MC").string(), "--from", "38.95,-76.44", "--to", "38.85,-76.40"});
+    ASSERT_TRUE(report.is_object());
+    EXPECT_EQ(report.at("chart").at("cells").size(), 2u);
+    expectSafe(report, ChartOracle(bay.string(), {1.2, 0.5}));
+}
+
+TEST(PlanRoute, overwritesNeitherChartNorItsOwnOutput)
+{
+    const TemporaryFolder folder;
+    const fs::path chart = folder / "sanya.000";
+    fs::copy_file(sanya(), chart);
+    const std::string before = readBytes(chart);
+    const std::vector<std::string> job = {"--chart",        chart.string(), "--from",
+                                          "18.150,109.420", "--to",         "18.250,109.780"};
+    const auto exitOf = [&job](std::vector<std::string> more)
+    {
+        std::vector<std::string> all = {SEAHEX_PLAN_ROUTE};
+        all.insert(all.end(), job.begin(), job.end());
+        all.insert(all.end(), more.begin(), more.end());
+        return runProgram(all).exitCode;
+    };
+    EXPECT_EQ(exitOf({"--out", chart.string()}), 2);
+    EXPECT_EQ(readBytes(chart), before);
+    EXPECT_EQ(exitOf({"--out", "/dev/null"}), 2);
+    const std::string both = (folder / "both.png").string();
+    EXPECT_EQ(exitOf({"--out", both, "--picture", both}), 2);
+    EXPECT_FALSE(fs::exists(both));
+    fs::create_symlink(folder / "route.geojson", folder / "link");
+    EXPECT_EQ(exitOf({"--out", (folder / "link").string()}), 0);
+    EXPECT_EQ(exitOf({"--out", (folder / "link").string()}), 0) << "now that the target is there";
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
 }
 
 TEST(PlanRoute, folderOfCellsIsAChart)

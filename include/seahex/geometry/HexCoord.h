@@ -8,8 +8,8 @@ namespace seahex
 
 // The frame of every cell coordinate in this project ([Cheng2020] section 1.2).
 //
-// Pointy-top hexagons in rows. Row 0 is the northernmost, rows grow southward, columns grow eastward; even rows are shifted
-// half a cell to the east ("even-r"):
+// Pointy-top hexagons in rows. Row 0 is the northernmost, rows grow southward, columns grow eastward; even rows are
+// shifted half a cell to the east ("even-r"):
 //
 //       row 0       / \ / \ / \          q grows to the east, s to the south-east, r to the north-west... and in every
 //                  |0,0|1,0|2,0|         cell q + r + s = 0.

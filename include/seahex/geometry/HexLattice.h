@@ -35,8 +35,8 @@ public:
     /// positive
     HexLattice(const Point &northWest, double pitch, std::int64_t columns, std::int64_t rows);
 
-    /// A lattice whose closed cells cover every point of the box, with no column or row to spare but where the box ends on
-    /// a cell's very edge.
+    /// A lattice whose closed cells cover every point of the box, with no column or row to spare but where the box ends
+    /// on a cell's very edge.
     /// @throws std::domain_error as the constructor, or if it would need more than 2^40 cells
     static HexLattice covering(const Box &box, double pitch);
 

@@ -17,8 +17,8 @@ struct RingOffset
     bool primitive;
 };
 
-/// The successors of ring expansion, [Cheng2020] eq. 11: the 3 n (n + 1) cells within `rings` steps: 6, 18, 36 for 1, 2, 3.
-/// Of these 6, 12, 24 are primitive. Sorted by ring, within a ring counter-clockwise from east.
+/// The successors of ring expansion, [Cheng2020] eq. 11: the 3 n (n + 1) cells within `rings` steps: 6, 18, 36 for 1,
+/// 2, 3. Of these 6, 12, 24 are primitive. Sorted by ring, within a ring counter-clockwise from east.
 /// @throws std::domain_error if rings is not 1, 2 or 3
 std::vector<RingOffset> ringOffsets(int rings);
 

@@ -12,9 +12,9 @@ namespace seahex
 {
 
 // Which closed cells a straight segment touches. A cell belongs to the set as soon as the segment meets its edge or a
-// corner. The cells whose distance to a segment is at most r have their centres in one convex set: segment + hexagon + disc
-// of radius r. A row of centres cuts that set in one interval, so the answer is a span of columns for each row, and no cell
-// needs to be tested by itself.
+// corner. The cells whose distance to a segment is at most r have their centres in one convex set: segment + hexagon +
+// disc of radius r. A row of centres cuts that set in one interval, so the answer is a span of columns for each row,
+// and no cell needs to be tested by itself.
 
 /// The cells of one row that lie within `radius` of the segment, as an interval of columns.
 struct RowSpan
@@ -50,8 +50,8 @@ private:
     double pitch_;
     double side_;
     double tolerance_;
-    double reach_;   // radius + half the tolerance
-    Point low_;      // the segment's ends relative to the lattice's origin, x east and y south, the northern one first
+    double reach_;  // radius + half the tolerance
+    Point low_;     // the segment's ends relative to the lattice's origin, x east and y south, the northern one first
     Point high_;
     Point support_;  // the point of hexagon + disc that goes farthest across the segment
     std::int64_t firstRow_;
@@ -75,11 +75,12 @@ bool forEachTouchedCell(const HexLattice &lattice, const Point &a, const Point &
     return true;
 }
 
-/// The columns of one row that the segment between two cell centres touches, exactly, in integers; the row must lie between
-/// the two. |coordinates| up to 2^60.
+/// The columns of one row that the segment between two cell centres touches, exactly, in integers; the row must lie
+/// between the two. |coordinates| up to 2^60.
 RowSpan touchedSpan(HexCoord a, HexCoord b, std::int64_t row);
 
-/// Calls visit(cell) for every closed cell that the segment between two centres touches, exactly, until it returns false.
+/// Calls visit(cell) for every closed cell that the segment between two centres touches, exactly, until it returns
+/// false.
 /// @return false if visit returned false
 template <class Visit>
 bool forEachTouchedCell(HexCoord a, HexCoord b, Visit &&visit)

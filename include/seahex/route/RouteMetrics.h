@@ -11,13 +11,14 @@ namespace seahex
 /// The numbers by which routes are compared, each with its one definition.
 struct RouteMetrics
 {
-    double lengthM = 0.0;        ///< rhumb-line metres on WGS-84; filled by whoever knows the positions on the earth
-    double lengthCells = 0.0;    ///< Euclidean length over the cell width, whole route
-    double lengthLattice = 0.0;  ///< sum of D ([Cheng2020] eq. 4, extended to all segments by hexNorm) over the counted legs
-    int turns = 0;               ///< heading changes above 1e-6 rad at waypoints between counted legs, collinear ones merged
-    double turnAngleRad = 0.0;   ///< sum of those changes, each in (0, pi]
-    /// Least distance in metres from the whole line to the geometry of a blocking hazard itself; infinite if there is none.
-    /// Filled by whoever knows the hazards.
+    double lengthM = 0.0;      ///< rhumb-line metres on WGS-84; filled by whoever knows the positions on the earth
+    double lengthCells = 0.0;  ///< Euclidean length over the cell width, whole route
+    double lengthLattice =
+        0.0;        ///< sum of D ([Cheng2020] eq. 4, extended to all segments by hexNorm) over the counted legs
+    int turns = 0;  ///< heading changes above 1e-6 rad at waypoints between counted legs, collinear ones merged
+    double turnAngleRad = 0.0;  ///< sum of those changes, each in (0, pi]
+    /// Least distance in metres from the whole line to the geometry of a blocking hazard itself; infinite if there is
+    /// none. Filled by whoever knows the hazards.
     double minClearanceM = 0.0;
     /// Distinct blocked cells of the lattice next to any cell that the line touches ([Wang2017], potential hazards).
     std::int64_t potentialHazards = 0;
@@ -30,8 +31,8 @@ struct RouteMetrics
 enum class CountedLegs
 {
     All,
-    /// Without the first and the last one, which join start and goal to their cells' centres: what remains runs from centre
-    /// to centre, as the published numbers do.
+    /// Without the first and the last one, which join start and goal to their cells' centres: what remains runs from
+    /// centre to centre, as the published numbers do.
     BetweenCentres
 };
 

@@ -31,14 +31,15 @@ enum class SearchStatus
 ///     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const
 ///     double bound(CellIndex cell) const       lower bound of the cost from the cell to a goal
 ///     double tie(CellIndex cell, double bound) const   among cells of equal estimate the smallest is expanded first
-///     double finish(CellIndex cell) const      cost of ending in this cell; not better than worst() where it is no goal
-///     double combine(double, double) const, bool better(double, double) const, double worst() const
+///     double finish(CellIndex cell) const      cost of ending in this cell; not better than worst() where it is no
+///     goal double combine(double, double) const, bool better(double, double) const, double worst() const
 ///         the algebra of costs; for lengths: sum, less, infinity
 ///     bool improves(double cost, double known) const   better by more than rounding
-///     double key(double estimate) const        the estimate, or a slightly better one that makes equal costs compare equal
+///     double key(double estimate) const        the estimate, or a slightly better one that makes equal costs compare
+///     equal
 ///
-/// Optimal if bound() never overestimates; where it is inconsistent, closed cells are reopened. Where it overestimates, the
-/// path is valid but may not be the best.
+/// Optimal if bound() never overestimates; where it is inconsistent, closed cells are reopened. Where it overestimates,
+/// the path is valid but may not be the best.
 ///
 /// Memory: 9 bytes for each cell that was touched (untouched pages stay untouched) and 2 bits for each other. Time of
 /// reset() is that of clearing the bits.
@@ -48,9 +49,9 @@ class AStar
 public:
     /// Does not own the lattice, which must outlive the search.
     explicit AStar(Lattice &lattice)
-      : lattice_(lattice), open_(Before{&lattice}), cost_(new double[lattice.size()]),
-        arrivedBy_(new std::uint8_t[lattice.size()]), generated_((lattice.size() + 63) / 64),
-        closed_((lattice.size() + 63) / 64), bestCost_(lattice.worst())
+        : lattice_(lattice), open_(Before{&lattice}), cost_(new double[lattice.size()]),
+          arrivedBy_(new std::uint8_t[lattice.size()]), generated_((lattice.size() + 63) / 64),
+          closed_((lattice.size() + 63) / 64), bestCost_(lattice.worst())
     {
     }
 

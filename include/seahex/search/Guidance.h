@@ -13,9 +13,9 @@ enum class Guidance
 {
     None,      ///< nothing: Dijkstra's algorithm
     Distance,  ///< the exact lower bound of the cost that remains
-    /// The published heuristic, D(i, E) p(i) of [Cheng2020] eq. 10. Never above D, so admissible for the metric D and for
-    /// Euclidean costs on ring 1; with Euclidean costs on rings 2 and 3 it overestimates (a jump of two rings can cost 1.73)
-    /// and routes may be a few percent too long. Weaker than Distance: it expands more cells.
+    /// The published heuristic, D(i, E) p(i) of [Cheng2020] eq. 10. Never above D, so admissible for the metric D and
+    /// for Euclidean costs on ring 1; with Euclidean costs on rings 2 and 3 it overestimates (a jump of two rings can
+    /// cost 1.73) and routes may be a few percent too long. Weaker than Distance: it expands more cells.
     Cheng,
     TieBreak  ///< Distance; among cells of equal estimate the one nearest to the line from start to goal goes first
 };
@@ -26,8 +26,8 @@ const char *toString(Guidance guidance);
 /// @return empty if the text names no guidance
 std::optional<Guidance> guidanceFromString(const std::string &text);
 
-/// The pilot quantity p(i) = 3 / (4 - sin theta), theta the angle at the goal between the start and i: [Cheng2020] eq. 7
-/// and 8. In [3/4, 1]; 1 where start and goal, or i and goal, coincide and the angle is undefined.
+/// The pilot quantity p(i) = 3 / (4 - sin theta), theta the angle at the goal between the start and i: [Cheng2020] eq.
+/// 7 and 8. In [3/4, 1]; 1 where start and goal, or i and goal, coincide and the angle is undefined.
 double pilotQuantity(const Point &start, const Point &goal, const Point &i);
 
 /// Distance of a point from the straight line through start and goal; 0 if the two coincide.

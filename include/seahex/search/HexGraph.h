@@ -11,8 +11,8 @@
 namespace seahex
 {
 
-/// The lattice of an occupancy as AStar wants it: a jump is valid if every cell it touches is free. What a jump costs is said
-/// by `Weight`, along with what GoalCells asks of it:
+/// The lattice of an occupancy as AStar wants it: a jump is valid if every cell it touches is free. What a jump costs
+/// is said by `Weight`, along with what GoalCells asks of it:
 ///
 ///     double jumpCost(CellIndex from, CellIndex to, std::size_t jump)
 ///
@@ -23,8 +23,8 @@ class HexGraph : public GoalCells<Weight>
 public:
     /// Occupancy and jumps must outlive the graph.
     HexGraph(const HexOccupancy &occupancy, const HexJumps &jumps, std::vector<GoalCell> goals, Weight weight)
-      : GoalCells<Weight>(occupancy.layout(), std::move(goals), std::move(weight)), jumps_(jumps),
-        bits_(occupancy.words().data())
+        : GoalCells<Weight>(occupancy.layout(), std::move(goals), std::move(weight)), jumps_(jumps),
+          bits_(occupancy.words().data())
     {
     }
 

@@ -15,8 +15,8 @@ namespace seahex
 /// Which successors a ring expansion tries.
 enum class JumpSet
 {
-    /// Those that pass no other centre: 6, 12, 24. The others repeat collinear steps, so nothing is lost where cost adds
-    /// up along the line.
+    /// Those that pass no other centre: 6, 12, 24. The others repeat collinear steps, so nothing is lost where cost
+    /// adds up along the line.
     Primitive,
     /// All 6, 18, 36, as published. Needed where a weight is charged on arrival; turn counts can differ.
     All
@@ -25,13 +25,14 @@ enum class JumpSet
 /// One jump as index arithmetic, for cells of one row parity.
 struct Jump
 {
-    std::int32_t delta;        ///< index of the successor minus index of the cell
-    std::uint16_t firstTouch;  ///< range in HexJumps::touched(): the cells that the jump's segment touches, the successor
-    std::uint16_t endTouch;    ///< included, the cell itself not, as index differences
+    std::int32_t delta;  ///< index of the successor minus index of the cell
+    std::uint16_t
+        firstTouch;          ///< range in HexJumps::touched(): the cells that the jump's segment touches, the successor
+    std::uint16_t endTouch;  ///< included, the cell itself not, as index differences
 };
 
-/// The jumps of a ring expansion on one layout, worked out once: for each row parity and each jump the index offset of the
-/// successor and of every cell that the straight segment between the two centres touches (closed cells, exact).
+/// The jumps of a ring expansion on one layout, worked out once: for each row parity and each jump the index offset of
+/// the successor and of every cell that the straight segment between the two centres touches (closed cells, exact).
 ///
 /// A jump is no hop: it is valid only if all cells it touches are free.
 class HexJumps

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <seahex/geometry/HexLattice.h>
-#include <seahex/search/Guidance.h>
 #include <seahex/search/GoalCells.h>
+#include <seahex/search/Guidance.h>
 #include <seahex/search/HexJumps.h>
 #include <seahex/search/LengthAlgebra.h>
 
@@ -20,8 +20,8 @@ enum class LengthMetric
 
 /// Path length as the weight of a HexGraph, in pitches, for both metrics and every guidance.
 ///
-/// The bound is exact: the norm that the jumps span (HexNorm), so with guidance Distance no cell is expanded whose detour
-/// is longer than that of the best path, ties aside.
+/// The bound is exact: the norm that the jumps span (HexNorm), so with guidance Distance no cell is expanded whose
+/// detour is longer than that of the best path, ties aside.
 class LengthWeight : public LengthAlgebra
 {
 public:

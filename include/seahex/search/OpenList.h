@@ -17,8 +17,8 @@ struct OpenEntry
     CellIndex cell;
 };
 
-/// The open list of a best-first search: a heap with four children a node (half as deep as a binary one, and the children
-/// lie in two cache lines). A cell may be in it several times; whoever pops it skips the outdated ones.
+/// The open list of a best-first search: a heap with four children a node (half as deep as a binary one, and the
+/// children lie in two cache lines). A cell may be in it several times; whoever pops it skips the outdated ones.
 template <class Before>
 class OpenList
 {

@@ -38,9 +38,9 @@ struct Verdict
 /// Judges one chart object for one vessel. Pure: the same arguments give the same verdict.
 ///
 /// The tide is taken as 0 (lowest level). With d = vessel.requiredDepthM(): areas block if DRVAL1 < d; soundings and
-/// dangers block if their depth <= d, the comparisons of the S-101 portrayal rules. Where VALSOU of a danger is missing,
-/// the order of S-52's OBSTRN04 and WRECKS02 decides: depth of the surroundings where it may be used (WATLEV 3 and EXPSOU
-/// 1 or 3), foul area 0.01 m, wrecks by CATWRK, then WATLEV.
+/// dangers block if their depth <= d, the comparisons of the S-101 portrayal rules. Where VALSOU of a danger is
+/// missing, the order of S-52's OBSTRN04 and WRECKS02 decides: depth of the surroundings where it may be used (WATLEV 3
+/// and EXPSOU 1 or 3), foul area 0.01 m, wrecks by CATWRK, then WATLEV.
 Verdict judge(const HazardObject &object, const Vessel &vessel, HazardScope scope = HazardScope::All);
 
 /// How far the vessel must stay from the object, metres: the larger of its margin and the class's own radius.

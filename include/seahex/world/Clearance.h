@@ -14,11 +14,11 @@ struct CellDistance
     double distance;
 };
 
-/// The blocked cell nearest to a point (distance to the closed hexagon; 0 inside a blocked cell). The cells just outside
-/// the lattice are blocked, so there is always one.
+/// The blocked cell nearest to a point (distance to the closed hexagon; 0 inside a blocked cell). The cells just
+/// outside the lattice are blocked, so there is always one.
 ///
-/// Looks along rows of bits outwards from the point, 64 cells at a time: about k^2 / 64 word reads where the answer lies k
-/// cells away. Const, no cache, thread-safe.
+/// Looks along rows of bits outwards from the point, 64 cells at a time: about k^2 / 64 word reads where the answer
+/// lies k cells away. Const, no cache, thread-safe.
 CellDistance nearestBlocked(const HexOccupancy &occupancy, const Point &p);
 
 /// The free cell nearest to a point; empty if no cell is free.

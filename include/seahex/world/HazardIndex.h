@@ -9,10 +9,11 @@
 namespace seahex
 {
 
-/// Finds the hazards near a segment by their own geometry, not by cells: an R-tree over their points, segments and areas.
+/// Finds the hazards near a segment by their own geometry, not by cells: an R-tree over their points, segments and
+/// areas.
 ///
-/// Immutable, thread-safe; keeps copies of what it needs. Distances are exact up to rounding, 0 where the segment touches a
-/// hazard or lies inside an area of it.
+/// Immutable, thread-safe; keeps copies of what it needs. Distances are exact up to rounding, 0 where the segment
+/// touches a hazard or lies inside an area of it.
 class HazardIndex
 {
 public:

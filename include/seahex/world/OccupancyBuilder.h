@@ -14,9 +14,10 @@ namespace seahex
 
 /// Fills an occupancy: any touch blocks.
 ///
-/// A cell is blocked if the exact distance from a shape to the closed hexagon is <= the shape's radius; nothing is sampled
-/// and nothing is buffered by polygons (an approximated round buffer lies inside the true one). For doubles "exact" means a
-/// superset: a cell within 1e-9 times the largest coordinate beyond the radius may be blocked too (HexTraversal).
+/// A cell is blocked if the exact distance from a shape to the closed hexagon is <= the shape's radius; nothing is
+/// sampled and nothing is buffered by polygons (an approximated round buffer lies inside the true one). For doubles
+/// "exact" means a superset: a cell within 1e-9 times the largest coordinate beyond the radius may be blocked too
+/// (HexTraversal).
 ///
 /// Time is linear in the shapes' segments, the cells along them, and the 64-bit words of their insides.
 class OccupancyBuilder
@@ -29,8 +30,9 @@ public:
     /// @throws std::domain_error if a coordinate is not a number: better no occupancy than one with a hole
     void block(const Shape &shape, double radius);
 
-    /// Blocks every cell that is not wholly inside the areas, or comes within `radius` of their boundary. The areas must
-    /// not overlap or share boundaries (unite them first): a seam between two of them would be blocked. Nor may they cross themselves.
+    /// Blocks every cell that is not wholly inside the areas, or comes within `radius` of their boundary. The areas
+    /// must not overlap or share boundaries (unite them first): a seam between two of them would be blocked. Nor may
+    /// they cross themselves.
     /// @throws std::domain_error if a coordinate is not a number
     void blockOutside(const std::vector<Polygon> &areas, double radius);
 

@@ -12,10 +12,11 @@ namespace seahex
 
 /// Sets the bits of all cells whose centre lies inside a polygon, row by row.
 ///
-/// Inside means a winding number other than 0, holes counted against the outer ring whatever their stored orientation: a
-/// ring that crosses itself therefore fills too much rather than too little. Centres within rounding of an edge may fall
-/// either way; whoever needs any-touch sets the cells along the edges besides. Time is linear in the edges plus the
-/// crossings of edges with rows (sorted within their row) plus the words written. Keeps its buffers from polygon to polygon.
+/// Inside means a winding number other than 0, holes counted against the outer ring whatever their stored orientation:
+/// a ring that crosses itself therefore fills too much rather than too little. Centres within rounding of an edge may
+/// fall either way; whoever needs any-touch sets the cells along the edges besides. Time is linear in the edges plus
+/// the crossings of edges with rows (sorted within their row) plus the words written. Keeps its buffers from polygon to
+/// polygon.
 class ScanlineFill
 {
 public:
