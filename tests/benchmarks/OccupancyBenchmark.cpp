@@ -1,5 +1,5 @@
-// Filling cells from polygons against GDAL's rasteriser, both in memory, one thread, the same projected polygons, as many
-// cells. Read the ratio of the two within one run; times alone mean little on a shared machine.
+// Filling cells from polygons against GDAL's rasteriser, both in memory, one thread, the same projected polygons, as
+// many cells. Read the ratio of the two within one run; times alone mean little on a shared machine.
 
 #include <seahex/chart/ChartReader.h>
 #include <seahex/chart/Projection.h>
@@ -131,7 +131,8 @@ void rasterizeSquares(benchmark::State &state)
     const std::vector<double> burn(handles.size(), 1.0);
     for (auto _ : state)
     {
-        GDALDataset *raster = GetGDALDriverManager()->GetDriverByName("MEM")->Create("", columns, rows, 1, GDT_Byte, nullptr);
+        GDALDataset *raster =
+            GetGDALDriverManager()->GetDriverByName("MEM")->Create("", columns, rows, 1, GDT_Byte, nullptr);
         raster->SetGeoTransform(transform);
         GDALRasterizeGeometries(raster, 1, &band, static_cast<int>(handles.size()), handles.data(), nullptr, nullptr,
                                 burn.data(), options, nullptr, nullptr);
