@@ -104,7 +104,7 @@ double rounded(double value)
 class FeatureWriter
 {
 public:
-    FeatureWriter(const PartFile &file, const DriverMessages &messages) : file_(file), messages_(messages)
+    FeatureWriter(const PartFile &file, const DriverMessages &messages) : messages_(messages)
     {
         static std::once_flag registered;
         std::call_once(registered, [] { GDALAllRegister(); });
@@ -157,7 +157,6 @@ private:
         failBecause(messages_.last().empty() ? "the GeoJSON driver failed" : messages_.last());
     }
 
-    const PartFile &file_;
     const DriverMessages &messages_;
     GdalDataset dataset_;
     OGRLayer *layer_ = nullptr;

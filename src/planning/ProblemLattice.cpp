@@ -73,7 +73,7 @@ HexLattice layLattice(const Box &bounds, double requestedCellSize)
     double cells = (extent.x() / pitch) * (extent.y() / pitch);
     if (cells <= 2.0 * static_cast<double>(mostCells))
     {
-        const HexLattice lattice = HexLattice::covering(bounds, pitch);
+        HexLattice lattice = HexLattice::covering(bounds, pitch);
         if (lattice.cellCount() <= mostCells)
             return lattice;
         cells = static_cast<double>(lattice.cellCount());
