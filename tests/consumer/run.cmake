@@ -1,5 +1,5 @@
 # Installs a build into an empty folder, then configures, builds and runs two projects that know it by find_package alone.
-#   cmake -DBUILD=... -DCONFIG=... -DTESTS=... -DSCRATCH=... -DDATA_DIR=share -DBIN_DIR=bin -DSANITIZE=... -P run.cmake
+#   cmake -DBUILD=... -DCONFIG=... -DTESTS=... -DSCRATCH=... -DDATA_DIR=share -DBIN_DIR=bin -DSANITIZE=... -DGENERATOR=Ninja -P run.cmake
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -42,7 +42,7 @@ foreach(project IN ITEMS consumer consumer_planning)
     if(project STREQUAL consumer)
         file(COPY_FILE "${TESTS}/../demos/first_route.cpp" "${SCRATCH}/consumer/main.cpp")
     endif()
-    run("${CMAKE_COMMAND}" -S "${SCRATCH}/${project}" -B "${SCRATCH}/build-${project}" ${flags})
+    run("${CMAKE_COMMAND}" -S "${SCRATCH}/${project}" -B "${SCRATCH}/build-${project}" -G "${GENERATOR}" ${flags})
     run("${CMAKE_COMMAND}" --build "${SCRATCH}/build-${project}")
 endforeach()
 
