@@ -89,6 +89,10 @@ ChartArena::ChartArena(const Chart &chart, const ArenaOptions &options)
     if (!projection_.isMetric() && vessel_.marginM > 0.0)
         throw std::domain_error("a margin of " + std::to_string(vessel_.marginM) +
                                 " m has no meaning in a frame of degrees");
+    if (!projection_.isMetric() && scope_ != HazardScope::LandOnly)
+        throw std::domain_error(
+            "a frame of degrees can't keep clear of dangers, only of land: the radius around a danger is "
+            "in metres");
     hazards_ = projectHazards(chart, projection_);
     coverage_ = projection_.forward(chart.coverage);
     for (const Hazard &hazard : hazards_)

@@ -111,13 +111,17 @@ TEST(ChartArena, knowsLandOnlyWhereToldSo)
     EXPECT_TRUE(isFreeAt(arena, 50.04, 10.05)) << "rock";
 }
 
-TEST(ChartArena, takesNoMarginInDegrees)
+TEST(ChartArena, takesLandOnlyAndNoMarginInDegrees)
 {
     ArenaOptions options;
+    options.scope = HazardScope::LandOnly;
     options.projection = Projection::plateCarree();
     options.pitch = 0.001;
     EXPECT_FALSE(isFreeAt(ChartArena(chart(), options), 50.025, 10.025));
     options.vessel.marginM = 10.0;
+    EXPECT_THROW(ChartArena(chart(), options), std::domain_error);
+    options.vessel.marginM = 0.0;
+    options.scope = HazardScope::All;
     EXPECT_THROW(ChartArena(chart(), options), std::domain_error);
 }
 

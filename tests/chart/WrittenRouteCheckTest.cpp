@@ -50,6 +50,7 @@ protected:
         ArenaOptions o;
         o.projection =
             GetParam() ? Projection::transverseMercator(GeoPoint::fromLatLon(50.05, 10.05)) : Projection::plateCarree();
+        o.scope = GetParam() ? HazardScope::All : HazardScope::LandOnly;
         o.pitch = GetParam() ? 50.0 : 0.0005;
         return o;
     }

@@ -35,7 +35,8 @@ struct ArenaOptions
 /// The occupancy blocks a cell if a blocking hazard comes within keepOutRadiusM of it, or what lies outside the
 /// coverage comes within the vessel's margin. In a metric frame both distances are enlarged by growthM, which covers
 /// what densified edges and written legs may deviate: a written leg that was planned on free cells keeps the full
-/// radius from the true hazard. In the plate carree frame metres have no meaning: margin and radii are 0 there.
+/// radius from the true hazard. All of these are metres on the ground; the plane's stretch is added. In the plate
+/// carree frame metres have no meaning: it takes land only and no margin, and radii are 0.
 ///
 /// Immutable; const functions, thread-safe.
 class ChartArena
@@ -44,7 +45,8 @@ public:
     /// Projection::edgeToleranceM plus legToleranceM.
     static constexpr double growthM = 1.0;
 
-    /// @throws std::domain_error for a pitch that is not positive, or a margin in a frame without metres
+    /// @throws std::domain_error for a pitch that is not positive; in a frame without metres also for a margin, and for
+    ///         any other scope than land only
     ChartArena(const Chart &chart, const ArenaOptions &options);
 
     const Vessel &vessel() const { return vessel_; }
