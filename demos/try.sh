@@ -7,9 +7,9 @@ cd "$(dirname "$0")/.."
 . cmake/debian-packages.sh
 install_packages $library_packages $demo_packages
 
-cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEAHEX_BUILD_TESTS=OFF >build-configure.log 2>&1 ||
-    { cat build-configure.log; exit 1; }
-rm -f build-configure.log
+mkdir -p build
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSEAHEX_BUILD_TESTS=OFF >build/configure.log 2>&1 ||
+    { cat build/configure.log; exit 1; }
 cmake --build build --parallel "${SEAHEX_JOBS:-$(nproc)}"
 
 build/demos/plan_route --scenario cheng2020 --out build/route.geojson --picture build/route.png

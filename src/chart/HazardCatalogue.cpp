@@ -76,7 +76,7 @@ const std::vector<HazardClass> &hazardCatalogue()
         {"M_SDAT", HazardRule::Quality, NONE_M, NONE_M, NONE_M, false},
         {"M_SREL", HazardRule::Quality, NONE_M, NONE_M, NONE_M, false},
         {"M_VDAT", HazardRule::Quality, NONE_M, NONE_M, NONE_M, false},
-        {"NEWOBJ", HazardRule::Caution, NONE_M, NONE_M, NONE_M, false},
+        {"NEWOBJ", HazardRule::Caution, POINT_M, LINE_M, NONE_M, false},
         {"OBSTRN", HazardRule::Danger, POINT_M, LINE_M, NONE_M, false},
         {"OFSPLF", HazardRule::Always, POINT_M, LINE_M, NONE_M, false},
         {"OILBAR", HazardRule::Always, POINT_M, LINE_M, NONE_M, false},

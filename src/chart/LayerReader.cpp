@@ -36,8 +36,8 @@ bool canBlock(HazardRule rule)
         case HazardRule::Mooring:
         case HazardRule::Pipeline:
         case HazardRule::ChartGap:
+        case HazardRule::Caution:  // where WATLEV says that it shows
             return true;
-        case HazardRule::Caution:
         case HazardRule::Overhead:
         case HazardRule::Regulation:
         case HazardRule::Quality:

@@ -10,15 +10,6 @@ namespace seahex
 namespace
 {
 
-double signedArea(const Ring &ring)
-{
-    double twice = 0.0;
-    for (std::size_t i = 1; i < ring.size(); ++i)
-        twice += (ring[i - 1].x() - ring[0].x()) * (ring[i].y() - ring[0].y()) -
-                 (ring[i].x() - ring[0].x()) * (ring[i - 1].y() - ring[0].y());
-    return 0.5 * twice;
-}
-
 /// The union of the parts, made valid first where that is needed.
 std::unique_ptr<OGRGeometry> united(const std::vector<Polygon> &areas)
 {

@@ -68,7 +68,8 @@ WrittenRouteCheck::WrittenRouteCheck(const Chart &chart, const ChartArena &arena
     : arena_(arena), metric_(arena.projection().isMetric() ? arena.projection()
                                                            : Projection::transverseMercator(chart.bounds.centre())),
       ownHazards_(arena.projection().isMetric() ? std::vector<Hazard>() : projectHazards(chart, metric_)),
-      coverageEdge_(edgeOf(arena.coverage())), blocking_(indexOf(arena.hazards(), blockingObjects(arena))),
+      coverageEdge_(edgeOf(arena.coverage())), edge_(coverageEdge_, [](const Hazard &) { return true; }),
+      blocking_(indexOf(arena.hazards(), blockingObjects(arena))),
       blockingMetric_(indexOf(arena.projection().isMetric() ? arena.hazards() : ownHazards_, blockingObjects(arena))),
       cautions_(arena.projection().isMetric() ? arena.hazards() : ownHazards_,
                 [&arena](const Hazard &hazard) { return deservesAWord(hazard, arena.vessel()); })
@@ -87,7 +88,6 @@ WrittenRouteCheck::WrittenRouteCheck(const Chart &chart, const ChartArena &arena
 
 std::optional<LegFault> WrittenRouteCheck::firstFault(const std::vector<GeoPoint> &waypoints) const
 {
-    const HazardIndex edge(coverageEdge_, [](const Hazard &) { return true; });
     const double perMetre = arena_.projection().isMetric() ? scale_ : 0.0;  // of the arena's plane
     std::optional<LegFault> fault;
     forEachPiece(waypoints, arena_.projection(),
@@ -96,7 +96,7 @@ std::optional<LegFault> WrittenRouteCheck::firstFault(const std::vector<GeoPoint
                      for (const HazardIndex::Near &near : blocking_.within(a, b, largestRadiusM_ * perMetre))
                          if (near.distance <= keepOutRadiusM(*near.hazard->object, arena_.vessel()) * perMetre)
                              fault = LegFault{leg, "comes too near to " + describe(*near.hazard->object)};
-                     if (!fault && !edge.within(a, b, arena_.vessel().marginM * perMetre).empty())
+                     if (!fault && !edge_.within(a, b, arena_.vessel().marginM * perMetre).empty())
                          fault = LegFault{leg, "comes too near to the edge of the chart's coverage"};
                      return !fault;
                  });

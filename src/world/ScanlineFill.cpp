@@ -5,22 +5,6 @@
 
 namespace seahex
 {
-namespace
-{
-
-double signedArea(const Ring &ring)
-{
-    double twice = 0.0;
-    for (std::size_t i = 1; i < ring.size(); ++i)
-    {
-        const Point a = ring[i - 1] - ring.front();
-        const Point b = ring[i] - ring.front();
-        twice += a.x() * b.y() - b.x() * a.y();
-    }
-    return twice;
-}
-
-}  // namespace
 
 template <class Visit>
 void ScanlineFill::forEachCrossing(const Ring &ring, Visit &&visit) const

@@ -2,6 +2,7 @@
 
 #include "seahex/chart/ChartError.h"
 #include "seahex/chart/ChartReader.h"
+#include "seahex/world/BlockingRule.h"
 
 #include "support/TestCharts.h"
 
@@ -106,6 +107,18 @@ TEST(ChartFault, aChartAroundHalfTheWorldIsRefused)
     EXPECT_THROW(read({{"M_COVR", {coverage(boxWkt(179.9, 10.0, 180.2, 10.1))}},
                        {"DEPARE", {deepWater(boxWkt(179.9, 10.0, 180.2, 10.1))}}}),
                  ChartUnsupported);
+}
+
+TEST(ChartFault, aNewObjectThatShowsIsKeptClearOfLikeAnyDanger)
+{
+    const Chart chart = read({{"M_COVR", {coverage(boxWkt(10.0, 50.0, 10.1, 50.1))}},
+                              {"DEPARE", {deepWater(boxWkt(10.0, 50.0, 10.1, 50.1))}},
+                              {"NEWOBJ", {{"POINT (10.05 50.05)", {{"WATLEV", 2}}}}}});
+    const auto object = std::find_if(chart.hazards.begin(), chart.hazards.end(),
+                                     [](const GeoHazard &hazard) { return hazard.object->objectClass == "NEWOBJ"; });
+    ASSERT_NE(object, chart.hazards.end());
+    EXPECT_TRUE(judge(*object->object, Vessel()).blocks());
+    EXPECT_EQ(object->object->radiusM, 10.0);
 }
 
 TEST(ChartFault, cellsAwayFromTheWindowAreLeftAside)

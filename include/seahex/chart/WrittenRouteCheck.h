@@ -47,6 +47,7 @@ private:
     Projection metric_;               // the arena's frame where it has metres
     std::vector<Hazard> ownHazards_;  // in metres, where the arena's are not
     std::vector<Hazard> coverageEdge_;
+    HazardIndex edge_;            // of coverageEdge_, in the arena's frame
     HazardIndex blocking_;        // in the arena's frame: what must not be touched
     HazardIndex blockingMetric_;  // in metres
     HazardIndex cautions_;        // in metres

@@ -73,6 +73,19 @@ struct GeoShape
     Shape lonLat;
 };
 
+/// Area of a closed ring, positive if it runs counter-clockwise.
+inline double signedArea(const Ring &ring)
+{
+    double twice = 0.0;
+    for (std::size_t i = 1; i < ring.size(); ++i)
+    {
+        const Point a = ring[i - 1] - ring.front();
+        const Point b = ring[i] - ring.front();
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return 0.5 * twice;
+}
+
 /// Calls visit(a, b) for every straight segment of the shape: lines, and the rings of areas. Points are not visited.
 template <class Visit>
 void forEachSegment(const Shape &shape, Visit &&visit)
