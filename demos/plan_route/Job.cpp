@@ -145,6 +145,7 @@ seahex::Route search(const Options &options, Result &result)
         hex->setRings(options.rings);
         hex->setGuidance(options.guidance);
         hex->setAllJumps(options.chengScenario);
+        hex->setSmoothing(false);  // that is done here, so that both routes can be told
         hex->setTracing(!options.picture.empty());
     }
     setup.setup();

@@ -1,18 +1,17 @@
 #include "seahex/planning/HexAStar.h"
 
-#include "planning/LatticeQuery.h"
+#include "planning/AnytimeSearch.h"
+#include "planning/EndStates.h"
 #include "planning/ProblemLattice.h"
+#include "planning/SearchTree.h"
 #include "seahex/planning/PlanarEmbedding.h"
 
-#include <ompl/base/goals/GoalState.h>
-#include <ompl/base/goals/GoalStates.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <typeinfo>
+#include <sstream>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -22,31 +21,30 @@ namespace seahex
 namespace
 {
 
-constexpr unsigned int mostSamples = 100;  // of a goal region that is no list of states
-
-/// True for goals whose states are all there from the beginning: none will turn up later.
-bool isListOfStates(const ob::Goal &goal)
+std::string inFull(double value)
 {
-    return typeid(goal) == typeid(ob::GoalState) || typeid(goal) == typeid(ob::GoalStates);
+    std::ostringstream text;
+    text.precision(std::numeric_limits<double>::max_digits10);
+    text << value;
+    return text.str();
 }
 
 }  // namespace
 
-HexAStar::HexAStar(const ob::SpaceInformationPtr &si) : ob::Planner(si, "HexAStar")
+HexAStar::HexAStar(const ob::SpaceInformationPtr &si)
+    : ob::Planner(si, "HexAStar"), ends_(std::make_unique<EndStates>(si)), board_(std::make_unique<ProgressBoard>())
 {
     static_cast<void>(PlanarEmbedding(si_->getStateSpace().get()));  // throws unless the space is planar
     specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
     specs_.optimizingPaths = true;
     specs_.directed = false;
     specs_.approximateSolutions = false;
+    specs_.canReportIntermediateSolutions = true;
     declareParameters();
+    declareProgress();
 }
 
-HexAStar::~HexAStar()
-{
-    query_.reset();
-    freeStates();
-}
+HexAStar::~HexAStar() = default;
 
 void HexAStar::declareParameters()
 {
@@ -54,8 +52,20 @@ void HexAStar::declareParameters()
     params_.declareParam<std::string>(
         "guidance", [this](const std::string &name) { setGuidance(name); }, [this] { return getGuidance(); });
     params_["guidance"].setRangeSuggestion("none,distance,cheng,tie_break");
+    declareParam<bool>("anytime", this, &HexAStar::setAnytime, &HexAStar::getAnytime, "0,1");
+    declareParam<bool>("smoothing", this, &HexAStar::setSmoothing, &HexAStar::getSmoothing, "0,1");
+    declareParam<bool>("approximate", this, &HexAStar::setApproximate, &HexAStar::getApproximate, "0,1");
     declareParam<bool>("all_jumps", this, &HexAStar::setAllJumps, &HexAStar::getAllJumps, "0,1");
+    declareParam<bool>("direct", this, &HexAStar::setDirect, &HexAStar::getDirect, "0,1");
     declareParam<double>("cell_size", this, &HexAStar::setCellSize, &HexAStar::getCellSize, "0.:.01:1000000.");
+}
+
+void HexAStar::declareProgress()
+{
+    addPlannerProgressProperty("best cost REAL", [this] { return inFull(board_->bestCost); });
+    addPlannerProgressProperty("lower bound REAL", [this] { return inFull(board_->lowerBound); });
+    addPlannerProgressProperty("expanded INTEGER", [this] { return std::to_string(board_->expanded); });
+    addPlannerProgressProperty("open INTEGER", [this] { return std::to_string(board_->open); });
 }
 
 void HexAStar::setRings(int rings)
@@ -63,13 +73,13 @@ void HexAStar::setRings(int rings)
     if (rings < 1 || rings > 3)
         throw ompl::Exception("HexAStar", "rings must be 1, 2 or 3, not " + std::to_string(rings));
     rings_ = rings;
-    query_.reset();
+    forgetSearch();
 }
 
 void HexAStar::setGuidance(Guidance guidance)
 {
     guidance_ = guidance;
-    query_.reset();
+    forgetSearch();
 }
 
 void HexAStar::setGuidance(const std::string &name)
@@ -80,10 +90,34 @@ void HexAStar::setGuidance(const std::string &name)
     setGuidance(*guidance);
 }
 
+void HexAStar::setAnytime(bool anytime)
+{
+    anytime_ = anytime;
+    forgetSearch();
+}
+
+void HexAStar::setSmoothing(bool smoothing)
+{
+    smoothing_ = smoothing;
+    forgetSearch();
+}
+
+void HexAStar::setApproximate(bool approximate)
+{
+    approximate_ = approximate;
+    specs_.approximateSolutions = approximate;
+}
+
 void HexAStar::setAllJumps(bool all)
 {
     allJumps_ = all;
-    query_.reset();
+    forgetSearch();
+}
+
+void HexAStar::setDirect(bool direct)
+{
+    direct_ = direct;
+    forgetSearch();
 }
 
 void HexAStar::setCellSize(double pitch)
@@ -91,21 +125,20 @@ void HexAStar::setCellSize(double pitch)
     if (!std::isfinite(pitch) || pitch < 0.0)
         throw ompl::Exception("HexAStar", "the cell size must be 0 or more, not " + std::to_string(pitch));
     requestedCellSize_ = pitch;
-    query_.reset();
+    forgetSearch();
     setup_ = false;
 }
 
 void HexAStar::setTracing(bool tracing)
 {
     tracing_ = tracing;
-    query_.reset();
+    forgetSearch();
 }
 
 void HexAStar::setup()
 {
     ob::Planner::setup();
     setup_ = false;  // unless all of the following goes well
-    forgetQuery();
     const Box bounds = PlanarEmbedding(si_->getStateSpace().get()).bounds();
     chart_ = sharedOccupancy(*si_);
     occupancy_ = chart_ ? withinBounds(chart_, bounds) : nullptr;
@@ -114,17 +147,17 @@ void HexAStar::setup()
         return;
     problemObjective_ = pdef_->getOptimizationObjective();
     objective_ = problemObjective_ ? problemObjective_ : std::make_shared<ob::PathLengthOptimizationObjective>(si_);
+    forgetSearch();
     setup_ = true;
 }
 
 void HexAStar::clear()
 {
     ob::Planner::clear();
-    forgetQuery();
-    freeStates();
-    solution_.reset();
+    forgetSearch();
+    ends_->clear();
     trace_.clear();
-    tracedIndices_.clear();
+    improvements_.clear();
     counters_ = {};
     searchMs_ = 0.0;
     outcome_ = PlanningOutcome::None;
@@ -143,53 +176,12 @@ bool HexAStar::isOutdated() const
     return sharedOccupancy(*si_) != chart_ || pdef_->getOptimizationObjective() != problemObjective_;
 }
 
-void HexAStar::forgetQuery()
+void HexAStar::forgetSearch()
 {
-    query_.reset();
-    comparedPairs_ = 0;
-    directPath_.reset();
-}
-
-void HexAStar::freeStates()
-{
-    for (ob::State *state : starts_)
-        si_->freeState(state);
-    for (ob::State *state : goals_)
-        si_->freeState(state);
-    starts_.clear();
-    goals_.clear();
-}
-
-void HexAStar::collectStarts()
-{
-    while (const ob::State *state = pis_.nextStart())
-    {
-        starts_.push_back(si_->cloneState(state));
-        forgetQuery();
-    }
-}
-
-void HexAStar::collectGoals(const ob::PlannerTerminationCondition &ptc)
-{
-    const auto take = [this](const ob::State *state)
-    {
-        goals_.push_back(si_->cloneState(state));
-        forgetQuery();
-    };
-    const bool isList = isListOfStates(*pdef_->getGoal());
-    const unsigned int most = isList ? std::numeric_limits<unsigned int>::max() : mostSamples;
-    // Those that are there; nextGoal() makes one attempt, and none at all if the region can't give a sample now.
-    for (bool goOn = true; goOn && pis_.haveMoreGoalStates() && pis_.getSampledGoalsCount() < most;)
-    {
-        const unsigned int sampled = pis_.getSampledGoalsCount();
-        if (const ob::State *state = pis_.nextGoal())
-            take(state);
-        goOn = pis_.getSampledGoalsCount() > sampled && (!pis_.haveMoreGoalStates() || !ptc);
-    }
-    // If there is none, one may turn up while there is time.
-    if (goals_.empty() && !isList)
-        if (const ob::State *state = pis_.nextGoal(ptc))
-            take(state);
+    tree_.reset();
+    search_.reset();
+    const double worst = objective_ ? objective_->infiniteCost().value() : std::numeric_limits<double>::infinity();
+    board_->clear(worst, objective_ ? objective_->identityCost().value() : 0.0);
 }
 
 ob::PlannerStatus HexAStar::solve(const ob::PlannerTerminationCondition &ptc)
@@ -200,133 +192,117 @@ ob::PlannerStatus HexAStar::solve(const ob::PlannerTerminationCondition &ptc)
         clear();
         checkValidity();
     }
+    begin_ = std::chrono::steady_clock::now();
+    counters_ = {};
+    trace_.clear();
+    improvements_.clear();
     outcome_ = PlanningOutcome::None;
     if (dynamic_cast<const ob::GoalSampleableRegion *>(pdef_->getGoal().get()) == nullptr)
         return ob::PlannerStatus::UNRECOGNIZED_GOAL_TYPE;
 
-    const auto begin = std::chrono::steady_clock::now();
-    counters_ = {};
-    trace_.clear();
-    solution_.reset();
+    if (search_ && search_->best())
+        improvements_.push_back({0.0, search_->bestCost().value()});
     outcome_ = plan(ptc);
-    searchMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    if (solution_)
+    if (search_)
     {
-        addSolution();
+        counters_ = search_->query() != nullptr ? search_->query()->counters() : SearchCounters{};
+        trace_ = search_->trace();
+    }
+    searchMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin_).count();
+    return tell();
+}
+
+PlanningOutcome HexAStar::plan(const ob::PlannerTerminationCondition &ptc)
+{
+    const ob::Goal &goal = *pdef_->getGoal();
+    bool isNew = ends_->takeStarts(pis_);
+    if (ends_->starts().empty())
+        return PlanningOutcome::InvalidStart;
+    isNew = ends_->takeGoals(pis_, goal, ptc) || isNew;
+    isNew = ends_->awaitGoal(pis_, goal, ptc) || isNew;
+    if (ends_->goals().empty())
+        return pis_.haveMoreGoalStates() ? PlanningOutcome::OutOfTime : PlanningOutcome::InvalidGoal;
+    if (isNew || !search_)
+        beginSearch();
+    search_->work(ptc);
+    while (pis_.haveMoreGoalStates() && !ptc && ends_->takeGoals(pis_, goal, ptc))
+    {
+        beginSearch();
+        search_->work(ptc);
+    }
+    return search_->outcome();
+}
+
+void HexAStar::beginSearch()
+{
+    tree_ = std::make_unique<SearchTree>(si_);
+    if (!search_)
+    {
+        const SearchSettings settings{rings_, guidance_, anytime_, smoothing_, allJumps_, direct_, tracing_};
+        search_ = std::make_unique<AnytimeSearch>(
+            SearchGround{si_, objective_, *lattice_, chart_, occupancy_}, settings, *board_,
+            [this](const og::PathGeometric &path, ob::Cost cost) { note(path, cost); });
+    }
+    search_->begin({ends_->starts().begin(), ends_->starts().end()}, {ends_->goals().begin(), ends_->goals().end()});
+}
+
+void HexAStar::note(const og::PathGeometric &path, ob::Cost cost)
+{
+    const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
+    improvements_.push_back({since.count(), cost.value()});
+    const auto &callback = pdef_->getIntermediateSolutionCallback();
+    if (!callback)
+        return;
+    const auto &states = const_cast<og::PathGeometric &>(path).getStates();
+    callback(this, {states.begin(), states.end()}, cost);
+}
+
+ob::PlannerStatus HexAStar::tell()
+{
+    if (search_ && search_->best())
+    {
+        addSolution(*search_->best(), false);
         return ob::PlannerStatus::EXACT_SOLUTION;
     }
     if (outcome_ == PlanningOutcome::InvalidStart)
         return ob::PlannerStatus::INVALID_START;
     if (outcome_ == PlanningOutcome::InvalidGoal)
         return ob::PlannerStatus::INVALID_GOAL;
-    return ob::PlannerStatus::TIMEOUT;
+    const auto towardsGoal = approximate_ && search_ ? search_->towardsGoal() : nullptr;
+    if (!towardsGoal)
+        return ob::PlannerStatus::TIMEOUT;
+    addSolution(*towardsGoal, true);
+    return ob::PlannerStatus::APPROXIMATE_SOLUTION;
 }
 
-PlanningOutcome HexAStar::plan(const ob::PlannerTerminationCondition &ptc)
+void HexAStar::addSolution(const og::PathGeometric &path, bool isApproximate)
 {
-    collectStarts();
-    if (starts_.empty())
-        return PlanningOutcome::InvalidStart;
-    collectGoals(ptc);
-    if (goals_.empty())
-        return pis_.haveMoreGoalStates() ? PlanningOutcome::OutOfTime : PlanningOutcome::InvalidGoal;
-    const bool compared = joinDirectly(ptc);
-    solution_ = directPath_;
-    if (solution_ && starts_.size() == 1 && goals_.size() == 1)
-        return PlanningOutcome::Found;
-    return compared ? searchLattice(ptc) : PlanningOutcome::OutOfTime;
-}
-
-bool HexAStar::joinDirectly(const ob::PlannerTerminationCondition &ptc)
-{
-    // A detour over the cell's centre would serve nothing.
-    const PlanarEmbedding embedding(si_->getStateSpace().get());
-    const auto cellOf = [&](const ob::State *state)
-    {
-        return lattice_->cellAt(embedding.position(state));
-    };
-    int motions = 0;
-    for (; comparedPairs_ < starts_.size() * goals_.size(); ++comparedPairs_)
-    {
-        const ob::State *start = starts_[comparedPairs_ / goals_.size()];
-        const ob::State *goal = goals_[comparedPairs_ % goals_.size()];
-        if (cellOf(start) != cellOf(goal))
-            continue;
-        if (++motions % 8 == 0 && ptc)
-            return false;
-        if (!si_->checkMotion(start, goal))
-            continue;
-        auto path = std::make_shared<og::PathGeometric>(si_, start, goal);
-        if (!directPath_ || objective_->isCostBetterThan(path->cost(objective_), directPath_->cost(objective_)))
-            directPath_ = std::move(path);
-    }
-    return true;
-}
-
-PlanningOutcome HexAStar::searchLattice(const ob::PlannerTerminationCondition &ptc)
-{
-    if (!query_)
-        startQuery();
-    const SearchStatus status = query_->run(ptc);
-    counters_ = query_->counters();
-    const CellLayout layout(lattice_->columns(), lattice_->rows());
-    for (const CellIndex index : tracedIndices_)
-        trace_.push_back(layout.cell(index));
-    if (status == SearchStatus::Stopped)
-        return PlanningOutcome::OutOfTime;
-    if (status == SearchStatus::Found)
-    {
-        const ob::PathPtr path = query_->path();
-        if (!solution_ || objective_->isCostBetterThan(path->cost(objective_), solution_->cost(objective_)))
-            solution_ = path;
-    }
-    if (solution_)
-        return PlanningOutcome::Found;
-    if (!query_->hasStart())
-        return PlanningOutcome::InvalidStart;
-    return query_->hasGoal() ? PlanningOutcome::Exhausted : PlanningOutcome::InvalidGoal;
-}
-
-void HexAStar::startQuery()
-{
-    LatticeQuestion question{si_, objective_, *lattice_, occupancy_, {}, {}};
-    question.rings = rings_;
-    question.allJumps = allJumps_;
-    question.guidance = guidance_;
-    question.starts.assign(starts_.begin(), starts_.end());
-    question.goals.assign(goals_.begin(), goals_.end());
-    tracedIndices_.clear();
-    question.trace = tracing_ ? &tracedIndices_ : nullptr;
-    query_ = makeLatticeQuery(question);
-}
-
-void HexAStar::addSolution()
-{
-    const ob::Cost cost = solution_->cost(objective_);
     // A copy, because whoever has the solution may simplify it in place.
-    ob::PlannerSolution solution(
-        std::make_shared<og::PathGeometric>(static_cast<const og::PathGeometric &>(*solution_)));
+    auto copy = std::make_shared<og::PathGeometric>(path);
+    const ob::Cost cost = copy->cost(objective_);
+    double distance = 0.0;
+    if (isApproximate)
+        pdef_->getGoal()->isSatisfied(copy->getStates().back(), &distance);
+    ob::PlannerSolution solution(copy);
     solution.setPlannerName(getName());
-    solution.setOptimized(objective_, cost, objective_->isSatisfied(cost));
+    solution.setOptimized(objective_, cost, !isApproximate && objective_->isSatisfied(cost));
+    if (isApproximate)
+        solution.setApproximate(distance);
     pdef_->addSolutionPath(solution);
 }
 
 void HexAStar::getPlannerData(ob::PlannerData &data) const
 {
     ob::Planner::getPlannerData(data);
-    const auto *path = dynamic_cast<const og::PathGeometric *>(solution_.get());
-    if (path == nullptr)
+    if (!search_)
         return;
-    for (std::size_t i = 0; i < path->getStateCount(); ++i)
-    {
-        const ob::PlannerDataVertex vertex(path->getState(static_cast<unsigned int>(i)));
-        if (i == 0)
-            data.addStartVertex(vertex);
-        else if (i + 1 == path->getStateCount())
-            data.addGoalVertex(vertex);
-        if (i > 0)
-            data.addEdge(ob::PlannerDataVertex(path->getState(static_cast<unsigned int>(i - 1))), vertex);
-    }
+    if (search_->query() != nullptr)
+        tree_->write(*search_->query(), *objective_, data);
+    if (!search_->best())
+        return;
+    std::vector<const ob::State *> ends(ends_->starts().begin(), ends_->starts().end());
+    ends.insert(ends.end(), ends_->goals().begin(), ends_->goals().end());
+    tree_->write(*search_->best(), ends, *lattice_, *objective_, data);
 }
 
 }  // namespace seahex

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "seahex/planning/PlanarEmbedding.h"
+#include "planning/ProgressBoard.h"
+#include "seahex/geometry/CellLayout.h"
+#include "seahex/geometry/HexLattice.h"
 #include "seahex/search/AStar.h"
 #include "seahex/search/Guidance.h"
-#include "seahex/search/HexJumps.h"
 #include "seahex/search/SearchCounters.h"
 #include "seahex/world/HexOccupancy.h"
 
@@ -12,7 +13,9 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/geometric/PathGeometric.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace seahex
@@ -24,14 +27,39 @@ struct LatticeQuestion
     ompl::base::SpaceInformationPtr si;
     ompl::base::OptimizationObjectivePtr objective;
     HexLattice lattice;
-    /// If given, the problem's validity is that of this occupancy, which is read directly; otherwise `si` is asked.
+    /// If given, the problem's validity is that of this occupancy, and states join the centre of their own cell, which
+    /// is free and convex. Elsewhere they join every centre within one ring that a valid motion reaches.
     std::shared_ptr<const HexOccupancy> occupancy;
+    /// Read the occupancy; otherwise `si` is asked, with the same result.
+    bool direct = true;
     std::vector<const ompl::base::State *> starts;  ///< valid ones; owned by the planner
     std::vector<const ompl::base::State *> goals;
-    int rings = 1;
+    int rings = 1;  ///< the most that useRings() will ask for
     bool allJumps = false;
     Guidance guidance = Guidance::Distance;
-    std::vector<CellIndex> *trace = nullptr;  ///< if given, collects the expanded cells in order
+    std::vector<CellIndex> *trace = nullptr;  ///< if given, collects the expanded cells of the search, in order
+    ProgressBoard *board = nullptr;           ///< if given, told about the search while it runs
+    bool tellsBound = false;                  ///< tell the board the lower bound of the search with all rings
+};
+
+/// A cell that a search reached.
+struct TreeVertex
+{
+    HexCoord cell;
+    Point position;
+    double heading;
+    std::optional<HexCoord> parent;  ///< empty where a start joins the lattice
+    const ompl::base::State *start;  ///< that start, or nullptr
+    bool isStart;                    ///< the start is this very vertex
+    bool isExpanded;
+};
+
+/// A goal whose cell a search reached.
+struct GoalVertex
+{
+    HexCoord cell;
+    const ompl::base::State *goal;
+    bool isCentre;  ///< the goal is the cell's very vertex
 };
 
 /// One search in progress, whatever graph and weight it runs on.
@@ -44,6 +72,9 @@ public:
     virtual bool hasStart() const = 0;
     virtual bool hasGoal() const = 0;
 
+    /// Begins the search anew with the jumps of the first rings; joints and answers of the user's code are kept.
+    virtual void useRings(int rings) = 0;
+
     /// Joins starts and goals to their cells and searches, until found, exhausted or told to stop; goes on where it
     /// was.
     virtual SearchStatus run(const ompl::base::PlannerTerminationCondition &stop) = 0;
@@ -51,13 +82,21 @@ public:
     /// The path found: a start state, centres, a goal state. nullptr if there is none.
     virtual std::shared_ptr<ompl::geometric::PathGeometric> path() const = 0;
 
+    /// From a start to the centre nearest to a goal of all that were reached. nullptr if none was.
+    virtual std::shared_ptr<ompl::geometric::PathGeometric> pathTowardsGoal() const = 0;
+
     virtual SearchCounters counters() const = 0;
+
+    /// No path of the lattice is cheaper than this, as far as the search has come; empty if the guidance's bound is not
+    /// admissible or the legs' costs are not what the path's cost is made of.
+    virtual std::optional<double> lowerBound() const = 0;
+
+    virtual void forEachVertex(const std::function<void(const TreeVertex &)> &visit) const = 0;
+    /// The joints of goals whose cell was reached.
+    virtual void forEachReachedGoal(const std::function<void(const GoalVertex &)> &visit) const = 0;
 };
 
 /// Chooses graph and weight for a question. Asks the problem nothing yet.
-///
-/// On an occupancy a state joins the centre of its own cell, which is free and convex. Elsewhere it joins every centre
-/// within one ring that a valid motion reaches.
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question);
 
 }  // namespace seahex

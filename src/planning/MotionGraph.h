@@ -22,7 +22,7 @@ public:
     MotionGraph(MotionCache &cache, const HexLattice &lattice, const CellLayout &layout, const HexJumps &jumps,
                 const std::map<CellIndex, double> &startHeadings, std::vector<GoalCell> goals, Weight weight)
         : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
-          startHeadings_(startHeadings)
+          startHeadings_(startHeadings), count_(jumps.size())
     {
         for (std::size_t k = 0; k < jumps_.size(); ++k)
         {
@@ -31,13 +31,20 @@ public:
         }
     }
 
+    /// Uses the jumps of the first rings only; a search that has begun must be reset.
+    void useRings(int rings)
+    {
+        count_ = jumps_.countWithin(rings);
+        Weight::useRings(rings);
+    }
+
     template <class Relax>
     bool expand(CellIndex cell, std::uint8_t arrivedBy, Relax &&relax)
     {
         const double heading = arrivedBy < jumps_.size() ? courses_[arrivedBy] : startHeadings_.at(cell);
         const std::vector<Jump> &jumps = jumps_.from(jumps_.parity(cell));
         MotionCache::Answers known = cache_.take(cell, arrivedBy);
-        for (std::size_t k = 0; k < jumps.size(); ++k)
+        for (std::size_t k = 0; k < count_; ++k)
         {
             const auto successor = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps[k].delta);
             if (k == known.count)
@@ -52,7 +59,7 @@ public:
                 known.valid |= std::uint64_t{answer == MotionCache::Answer::Valid} << k;
             }
             if ((known.valid >> k) & 1)
-                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k));
+                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k, arrivedBy));
         }
         return true;
     }
@@ -64,6 +71,7 @@ private:
     const HexJumps &jumps_;
     const std::map<CellIndex, double> &startHeadings_;
     std::vector<double> courses_;
+    std::size_t count_;
 };
 
 }  // namespace seahex

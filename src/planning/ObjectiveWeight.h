@@ -3,13 +3,16 @@
 #include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/search/GoalCells.h"
 #include "seahex/search/Guidance.h"
+#include "seahex/search/HexJumps.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace seahex
 {
@@ -21,12 +24,19 @@ class ObjectiveWeight
 public:
     ObjectiveWeight(const ompl::base::SpaceInformationPtr &si, const ompl::base::OptimizationObjective &objective,
                     const PlanarEmbedding &embedding, const HexLattice &lattice, const CellLayout &layout,
-                    Guidance guidance, const Point &start, const Point &goal)
+                    const HexJumps &jumps, Guidance guidance, const Point &start, const Point &goal)
         : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
           start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
           to_(std::make_shared<ompl::base::ScopedState<>>(si))
     {
+        for (std::size_t k = 0; k < jumps.size(); ++k)
+        {
+            const Point d = lattice.centre(jumps.offset(k).offset) - lattice.centre({0, 0});
+            courses_.push_back(std::atan2(d.y(), d.x()));
+        }
     }
+
+    void useRings(int) {}
 
     double combine(double a, double b) const { return objective_.combineCosts(Cost(a), Cost(b)).value(); }
     bool better(double a, double b) const { return objective_.isCostBetterThan(Cost(a), Cost(b)); }
@@ -34,13 +44,14 @@ public:
     double worst() const { return objective_.infiniteCost().value(); }
     static double key(double estimate) { return estimate; }
 
-    double jumpCost(CellIndex from, CellIndex to, std::size_t)
+    /// Where states have a yaw, the one at the first cell is the course of the jump that led there as the path stood
+    /// when it was expanded.
+    double jumpCost(CellIndex from, CellIndex to, std::size_t jump, std::uint8_t arrivedBy)
     {
-        const Point a = lattice_.centre(layout_.cell(from));
-        const Point b = lattice_.centre(layout_.cell(to));
-        const double heading = std::atan2(b.y() - a.y(), b.x() - a.x());
-        embedding_.place(from_->get(), a, heading);
-        embedding_.place(to_->get(), b, heading);
+        const double heading = courses_[jump];
+        embedding_.place(from_->get(), lattice_.centre(layout_.cell(from)),
+                         arrivedBy < courses_.size() ? courses_[arrivedBy] : heading);
+        embedding_.place(to_->get(), lattice_.centre(layout_.cell(to)), heading);
         return objective_.motionCost(from_->get(), to_->get()).value();
     }
 
@@ -71,6 +82,7 @@ private:
     Guidance guidance_;
     Point start_;
     Point goal_;
+    std::vector<double> courses_;  // of the jumps
     std::shared_ptr<ompl::base::ScopedState<>> from_;
     std::shared_ptr<ompl::base::ScopedState<>> to_;
 };

@@ -51,4 +51,11 @@ HexJumps::HexJumps(const CellLayout &layout, int rings, JumpSet set)
     }
 }
 
+std::size_t HexJumps::countWithin(int rings) const
+{
+    const auto beyond = std::find_if(offsets_.begin(), offsets_.end(),
+                                     [rings](const RingOffset &offset) { return offset.ring > rings; });
+    return static_cast<std::size_t>(beyond - offsets_.begin());
+}
+
 }  // namespace seahex

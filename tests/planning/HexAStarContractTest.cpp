@@ -5,7 +5,6 @@
 
 #include "planning/ClosedBay.h"
 
-#include <ompl/base/PlannerData.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
@@ -37,7 +36,7 @@ TEST_F(HexAStarContract, SaysWhatItCanDo)
     EXPECT_FALSE(planner.getSpecs().approximateSolutions);
     EXPECT_FALSE(planner.getSpecs().directed);
     EXPECT_FALSE(planner.getSpecs().multithreaded);
-    EXPECT_FALSE(planner.getSpecs().canReportIntermediateSolutions);
+    EXPECT_TRUE(planner.getSpecs().canReportIntermediateSolutions);
 }
 
 TEST_F(HexAStarContract, AProblemWithoutObjectiveStaysWithout)
@@ -141,7 +140,8 @@ TEST_F(HexAStarContract, ParametersAreSetAndReadByName)
 {
     HexAStar planner(si);
     auto &params = planner.params();
-    const std::set<std::string> names = {"rings", "guidance", "all_jumps", "cell_size"};
+    const std::set<std::string> names = {"rings",       "guidance",  "anytime", "smoothing",
+                                         "approximate", "all_jumps", "direct",  "cell_size"};
     std::vector<std::string> declared;
     params.getParamNames(declared);
     EXPECT_EQ(std::set<std::string>(declared.begin(), declared.end()), names);
@@ -229,30 +229,6 @@ TEST_F(HexAStarContract, TheTraceHoldsTheExpandedCells)
     EXPECT_LE(planner->counters().expanded, planner->counters().generated + planner->counters().reopened);
     for (const HexCoord cell : planner->trace())
         EXPECT_TRUE(world.occupancy().isFree(cell));
-}
-
-TEST_F(HexAStarContract, PlannerDataHoldsTheSolution)
-{
-    const auto problem = between('A', 'B');
-    const auto planner = plannerFor(problem);
-    ob::PlannerData empty(si);
-    planner->getPlannerData(empty);
-    EXPECT_EQ(empty.numVertices(), 0u);
-    ASSERT_EQ(planner->solve(5.0), ob::PlannerStatus::EXACT_SOLUTION);
-    ob::PlannerData data(si);
-    planner->getPlannerData(data);
-    planner->getPlannerData(data);
-    EXPECT_EQ(data.numVertices(), pathOf(problem)->getStateCount());
-    EXPECT_EQ(data.numEdges(), pathOf(problem)->getStateCount() - 1);
-    ASSERT_EQ(data.numStartVertices(), 1u);
-    ASSERT_EQ(data.numGoalVertices(), 1u);
-    EXPECT_EQ(positionOf(si, data.getStartVertex(0).getState()), world.centre('A'));
-    EXPECT_EQ(positionOf(si, data.getGoalVertex(0).getState()), world.centre('B'));
-    pathOf(problem)->getStates().back()->as<ob::RealVectorStateSpace::StateType>()->values[0] += 1.0;
-    EXPECT_EQ(positionOf(si, data.getGoalVertex(0).getState()), world.centre('B')) << "the solution is the problem's";
-    data.decoupleFromPlanner();
-    planner->clear();
-    EXPECT_EQ(positionOf(si, data.getGoalVertex(0).getState()), world.centre('B'));
 }
 
 TEST_F(HexAStarContract, TwoPlannersOnOneSpaceInTwoThreads)

@@ -129,8 +129,10 @@ public:
             for (std::size_t i = 0; i < centres_.size(); ++i)
                 if (joins(start, i))
                 {
-                    const ob::Cost entry = objective_.combineCosts(objective_.initialCost(stateAt(si_, start).get()),
-                                                                   motionCost(start, centres_[i]));
+                    // a start that is a centre is one state of the path, with no motion between
+                    ob::Cost entry = objective_.initialCost(stateAt(si_, start).get());
+                    if (start != centres_[i])
+                        entry = objective_.combineCosts(entry, motionCost(start, centres_[i]));
                     cost[i] = objective_.betterCost(cost[i], entry);
                 }
         lower(cost);
@@ -139,7 +141,9 @@ public:
             for (std::size_t i = 0; i < centres_.size(); ++i)
                 if (joins(goal, i))
                 {
-                    const ob::Cost last = objective_.combineCosts(cost[i], motionCost(centres_[i], goal));
+                    ob::Cost last = cost[i];
+                    if (goal != centres_[i])
+                        last = objective_.combineCosts(last, motionCost(centres_[i], goal));
                     best = objective_.betterCost(
                         best, objective_.combineCosts(last, objective_.terminalCost(stateAt(si_, goal).get())));
                 }

@@ -160,7 +160,7 @@ public:
                 ++jump;
             if (jump == jumps_.size())
                 return "a step that is no jump";
-            sum += graph_.jumpCost(0, 0, jump);
+            sum += graph_.jumpCost(0, 0, jump, 255);
             bool free = true;
             forEachCell(problem_.occupancy->lattice(), 3,
                         [&](HexCoord cell) {

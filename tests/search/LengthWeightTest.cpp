@@ -29,8 +29,8 @@ TEST(LengthWeight, costsAreLengthsInPitchesOrSteps)
     {
         const HexCoord offset = jumps.offset(k).offset;
         const double length = (lattice.centre(offset) - lattice.centre({0, 0})).norm() / lattice.pitch();
-        EXPECT_NEAR(euclidean.jumpCost(0, 0, k), length, 1e-12);
-        EXPECT_EQ(steps.jumpCost(0, 0, k), static_cast<double>(hexNorm(offset)));
+        EXPECT_NEAR(euclidean.jumpCost(0, 0, k, 255), length, 1e-12);
+        EXPECT_EQ(steps.jumpCost(0, 0, k, 255), static_cast<double>(hexNorm(offset)));
     }
 }
 
@@ -81,7 +81,8 @@ TEST(LengthWeight, distanceIsConsistent)
                         const HexCoord from = toCube({column, row});
                         const HexCoord to = from + jumps.offset(k).offset;
                         const GoalCell goal{goalCell, 0.0};
-                        ASSERT_LE(weight.bound(from, goal), weight.jumpCost(0, 0, k) + weight.bound(to, goal) + 1e-12);
+                        ASSERT_LE(weight.bound(from, goal),
+                                  weight.jumpCost(0, 0, k, 255) + weight.bound(to, goal) + 1e-12);
                     }
         }
     }

@@ -85,6 +85,8 @@ std::shared_ptr<HexAStar> plannerFor(const ob::ProblemDefinitionPtr &problem)
 {
     auto planner = std::make_shared<HexAStar>(problem->getSpaceInformation());
     planner->setProblemDefinition(problem);
+    planner->setAnytime(false);
+    planner->setSmoothing(false);
     return planner;
 }
 

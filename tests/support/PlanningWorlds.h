@@ -44,7 +44,7 @@ Point positionOf(const ompl::base::SpaceInformationPtr &si, const ompl::base::St
 ompl::base::ProblemDefinitionPtr problemBetween(const ompl::base::SpaceInformationPtr &si, const Point &start,
                                                 const Point &goal);
 
-/// A planner that was given the problem.
+/// A planner that was given the problem, for the lattice's best path: neither anytime nor smoothing.
 std::shared_ptr<HexAStar> plannerFor(const ompl::base::ProblemDefinitionPtr &problem);
 
 /// The path of the best solution; nullptr if the problem has none.

@@ -3,6 +3,8 @@
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/world/HexOccupancy.h>
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <memory>
 #include <random>
@@ -38,6 +40,18 @@ private:
     std::uint64_t seed_;
     std::mt19937_64 engine_;
 };
+
+/// Calls body(random) with random numbers of the seeds 1 to count; a failure names the seed.
+template <class Body>
+void forEachSeed(std::uint64_t count, Body &&body)
+{
+    for (std::uint64_t seed = 1; seed <= count; ++seed)
+    {
+        Random random(seed);
+        SCOPED_TRACE(random.seedText());
+        body(random);
+    }
+}
 
 /// An occupancy in which each cell is blocked with the given probability.
 std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density);

@@ -47,6 +47,9 @@ template <class Lattice>
 class AStar
 {
 public:
+    /// In the place of a jump where a path begins.
+    static constexpr std::uint8_t noJump = 255;
+
     /// Does not own the lattice, which must outlive the search.
     explicit AStar(Lattice &lattice)
         : lattice_(lattice), open_(Before{&lattice}), cost_(new double[lattice.size()]),
@@ -87,18 +90,49 @@ public:
     double cost() const { return bestCost_; }
     bool hasPath() const { return bestGoal_.has_value(); }
 
-    /// The cells of the best path so far, from a start to a goal; empty if there is none.
-    std::vector<CellIndex> path() const
+    /// The key of the cell that is next: no path that is still to be found has a smaller one, if the bound is
+    /// admissible. That of the best path where it is as good; that of worst() where nothing is left.
+    double leastKey() const
     {
-        std::vector<CellIndex> cells;
-        if (!bestGoal_)
-            return cells;
-        CellIndex cell = *bestGoal_;
-        cells.push_back(cell);
+        const double best = lattice_.key(bestCost_);
+        return open_.empty() || lattice_.better(best, open_.top().key) ? best : open_.top().key;
+    }
+
+    /// Entries of the open list, outdated ones included.
+    std::size_t openSize() const { return open_.size(); }
+
+    /// The cells of the best path so far, from a start to a goal; empty if there is none.
+    std::vector<CellIndex> path() const { return bestGoal_ ? pathTo(*bestGoal_) : std::vector<CellIndex>(); }
+
+    /// The cells of the best path known from a start to a cell that was reached.
+    std::vector<CellIndex> pathTo(CellIndex cell) const
+    {
+        std::vector<CellIndex> cells = {cell};
         for (; arrivedBy_[cell] != noJump; cells.push_back(cell))
             cell = lattice_.predecessor(cell, arrivedBy_[cell]);
         std::reverse(cells.begin(), cells.end());
         return cells;
+    }
+
+    /// True if a path to the cell is known.
+    bool isReached(CellIndex cell) const { return testBit(generated_, cell); }
+
+    /// Calls visit(cell, arrivedBy, isExpanded) for every cell that was reached, in the order of cells; arrivedBy is
+    /// the jump of the best path known to it, or noJump where that path begins.
+    template <class Visit>
+    void forEachReached(Visit &&visit) const
+    {
+        for (std::size_t word = 0; word < generated_.size(); ++word)
+        {
+            if (generated_[word] == 0)
+                continue;
+            for (unsigned int bit = 0; bit < 64; ++bit)
+                if ((generated_[word] >> bit) & 1)
+                {
+                    const auto cell = static_cast<CellIndex>(word * 64 + bit);
+                    visit(cell, arrivedBy_[cell], testBit(closed_, cell));
+                }
+        }
     }
 
     const SearchCounters &counters() const { return counters_; }
@@ -118,8 +152,6 @@ public:
     }
 
 private:
-    static constexpr std::uint8_t noJump = 255;
-
     struct Before
     {
         const Lattice *lattice;

@@ -14,7 +14,9 @@ namespace seahex
 /// The lattice of an occupancy as AStar wants it: a jump is valid if every cell it touches is free. What a jump costs
 /// is said by `Weight`, along with what GoalCells asks of it:
 ///
-///     double jumpCost(CellIndex from, CellIndex to, std::size_t jump)
+///     double jumpCost(CellIndex from, CellIndex to, std::size_t jump, std::uint8_t arrivedBy)
+///         arrivedBy: the jump that led to `from`; 255 where the path begins
+///     void useRings(int rings)      only the jumps of the first rings are used from now on
 ///
 /// Nothing is virtual, and nothing is allocated during a search but for the growth of the open list.
 template <class Weight>
@@ -24,20 +26,27 @@ public:
     /// Occupancy and jumps must outlive the graph.
     HexGraph(const HexOccupancy &occupancy, const HexJumps &jumps, std::vector<GoalCell> goals, Weight weight)
         : GoalCells<Weight>(occupancy.layout(), std::move(goals), std::move(weight)), jumps_(jumps),
-          bits_(occupancy.words().data())
+          bits_(occupancy.words().data()), count_(jumps.size())
     {
     }
 
+    /// Uses the jumps of the first rings only; a search that has begun must be reset.
+    void useRings(int rings)
+    {
+        count_ = jumps_.countWithin(rings);
+        Weight::useRings(rings);
+    }
+
     template <class Relax>
-    bool expand(CellIndex cell, std::uint8_t, Relax &&relax)
+    bool expand(CellIndex cell, std::uint8_t arrivedBy, Relax &&relax)
     {
         const std::vector<Jump> &jumps = jumps_.from(jumps_.parity(cell));
         const std::int32_t *touched = jumps_.touched();
-        for (std::size_t k = 0; k < jumps.size(); ++k)
+        for (std::size_t k = 0; k < count_; ++k)
             if (isValid(cell, jumps[k], touched))
             {
                 const auto successor = static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps[k].delta);
-                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k));
+                relax(successor, static_cast<std::uint8_t>(k), Weight::jumpCost(cell, successor, k, arrivedBy));
             }
         return true;
     }
@@ -58,6 +67,7 @@ private:
 
     const HexJumps &jumps_;
     const std::uint64_t *bits_;
+    std::size_t count_;
 };
 
 }  // namespace seahex

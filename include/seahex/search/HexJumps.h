@@ -42,6 +42,8 @@ public:
     HexJumps(const CellLayout &layout, int rings, JumpSet set);
 
     std::size_t size() const { return offsets_.size(); }
+    /// How many of the jumps lie within the first rings; these come first.
+    std::size_t countWithin(int rings) const;
     int rings() const { return rings_; }
     const RingOffset &offset(std::size_t jump) const { return offsets_[jump]; }
     /// Euclidean length of a jump in pitches: 1, root 3, root 7 for the primitive ones.

@@ -6,6 +6,7 @@
 #include <seahex/search/HexJumps.h>
 #include <seahex/search/LengthAlgebra.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace seahex
@@ -29,7 +30,8 @@ public:
     LengthWeight(const HexLattice &lattice, const HexJumps &jumps, LengthMetric metric, Guidance guidance,
                  const Point &start, const Point &goal);
 
-    double jumpCost(CellIndex, CellIndex, std::size_t jump) const { return costs_[jump]; }
+    double jumpCost(CellIndex, CellIndex, std::size_t jump, std::uint8_t) const { return costs_[jump]; }
+    void useRings(int rings) { rings_ = rings; }
     double bound(HexCoord cell, const GoalCell &goal) const;
     double tie(HexCoord cell, double bound) const;
 

@@ -1,0 +1,187 @@
+#include "planning/AnytimeSearch.h"
+
+#include "seahex/planning/PlanarEmbedding.h"
+
+#include <utility>
+
+namespace ob = ompl::base;
+
+namespace seahex
+{
+
+AnytimeSearch::AnytimeSearch(SearchGround ground, const SearchSettings &settings, ProgressBoard &board,
+                             OnImprovement onImprovement)
+    : ground_(std::move(ground)), settings_(settings), board_(board), onImprovement_(std::move(onImprovement)),
+      shortener_(ground_.si, ground_.objective, settings.direct ? ground_.chart : nullptr, ground_.lattice.pitch()),
+      bestCost_(ground_.objective->infiniteCost())
+{
+    const auto add = [this](Step searching)
+    {
+        steps_.push_back(searching);
+        if (settings_.smoothing)
+            steps_.push_back(Step::Shorten);
+    };
+    if (settings_.anytime && settings_.rings > 1)
+        add(Step::SearchFirst);
+    add(Step::SearchAll);
+}
+
+void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<const ob::State *> goals)
+{
+    starts_ = std::move(starts);
+    goals_ = std::move(goals);
+    comparedPairs_ = 0;
+    step_ = 0;
+    isInStep_ = false;
+    query_.reset();
+    latticePath_.reset();
+    board_.lowerBound = leastCost().value();
+}
+
+void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
+{
+    if (!compareDirectly(stop))
+        return;
+    while (step_ < steps_.size() && !(best_ && ground_.objective->isSatisfied(bestCost_)))
+    {
+        if (!take(steps_[step_], stop))
+            return;
+        isInStep_ = false;
+        ++step_;
+    }
+}
+
+PlanningOutcome AnytimeSearch::outcome() const
+{
+    const bool isDone = step_ >= steps_.size();
+    if (best_)
+        return isDone ? PlanningOutcome::Found : PlanningOutcome::Improvable;
+    if (!isDone)
+        return PlanningOutcome::OutOfTime;
+    if (!query_->hasStart())
+        return PlanningOutcome::InvalidStart;
+    return query_->hasGoal() ? PlanningOutcome::Exhausted : PlanningOutcome::InvalidGoal;
+}
+
+std::vector<HexCoord> AnytimeSearch::trace() const
+{
+    const CellLayout layout(ground_.lattice.columns(), ground_.lattice.rows());
+    std::vector<HexCoord> cells;
+    for (const CellIndex index : trace_)
+        cells.push_back(layout.cell(index));
+    return cells;
+}
+
+bool AnytimeSearch::compareDirectly(const ob::PlannerTerminationCondition &stop)
+{
+    // A start and a goal in one cell: a detour over its centre would serve nothing.
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    const auto cellOf = [&](const ob::State *state)
+    {
+        return ground_.lattice.cellAt(embedding.position(state));
+    };
+    int motions = 0;
+    for (; comparedPairs_ < starts_.size() * goals_.size(); ++comparedPairs_)
+    {
+        const ob::State *start = starts_[comparedPairs_ / goals_.size()];
+        const ob::State *goal = goals_[comparedPairs_ % goals_.size()];
+        if (cellOf(start) != cellOf(goal))
+            continue;
+        if (++motions % 8 == 0 && stop)
+            return false;
+        if (!ground_.si->checkMotion(start, goal))
+            continue;
+        offer(std::make_shared<Path>(ground_.si, start, goal));
+        if (starts_.size() * goals_.size() == 1)
+            step_ = steps_.size();
+    }
+    return true;
+}
+
+bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
+{
+    switch (step)
+    {
+        case Step::SearchFirst:
+            return search(1, stop);
+        case Step::SearchAll:
+            return search(settings_.rings, stop);
+        case Step::Shorten:
+            return shorten(stop);
+    }
+    return true;
+}
+
+bool AnytimeSearch::search(int rings, const ob::PlannerTerminationCondition &stop)
+{
+    if (!query_)
+        makeQuery();
+    if (!isInStep_)
+        query_->useRings(rings);
+    isInStep_ = true;
+    latticePath_.reset();
+    const SearchStatus status = query_->run(stop);
+    if (status == SearchStatus::Stopped)
+        return false;
+    if (status == SearchStatus::Found)
+    {
+        latticePath_ = query_->path();
+        offer(latticePath_);
+        // the end of a search may have told its bound before the path's cost was known
+        if (rings == settings_.rings && !settings_.smoothing)
+            if (const auto bound = query_->lowerBound())
+                board_.raiseLowerBound(*bound);
+    }
+    // A jump on an occupancy is valid only if all cells under it are free, so more rings reach no more cells.
+    else if (ground_.occupancy || !query_->hasStart() || !query_->hasGoal())
+        step_ = steps_.size();
+    return true;
+}
+
+bool AnytimeSearch::shorten(const ob::PlannerTerminationCondition &stop)
+{
+    if (!latticePath_)
+        return true;
+    const PathShortener::Result result = shortener_.shorten(*latticePath_, stop);
+    if (result.path)
+        offer(result.path);
+    return result.isFinished;
+}
+
+void AnytimeSearch::makeQuery()
+{
+    LatticeQuestion question{ground_.si,       ground_.objective, ground_.lattice, ground_.occupancy,
+                             settings_.direct, starts_,           goals_};
+    question.rings = settings_.rings;
+    question.allJumps = settings_.allJumps;
+    question.guidance = settings_.guidance;
+    trace_.clear();
+    question.trace = settings_.tracing ? &trace_ : nullptr;
+    question.board = &board_;
+    question.tellsBound = !settings_.smoothing;
+    query_ = makeLatticeQuery(question);
+}
+
+void AnytimeSearch::offer(const std::shared_ptr<Path> &path)
+{
+    const ob::Cost cost = path->cost(ground_.objective);
+    if (best_ && !ground_.objective->isCostBetterThan(cost, bestCost_))
+        return;
+    best_ = path;
+    bestCost_ = cost;
+    board_.bestCost = cost.value();
+    if (ground_.objective->isCostBetterThan(cost, ob::Cost(board_.lowerBound)))
+        board_.lowerBound = cost.value();  // both are the same but for rounding
+    onImprovement_(*path, cost);
+}
+
+ob::Cost AnytimeSearch::leastCost() const
+{
+    ob::Cost least = ground_.objective->infiniteCost();
+    for (const ob::State *start : starts_)
+        for (const ob::State *goal : goals_)
+            least = ground_.objective->betterCost(least, ground_.objective->motionCostHeuristic(start, goal));
+    return least;
+}
+
+}  // namespace seahex

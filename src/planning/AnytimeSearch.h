@@ -1,0 +1,102 @@
+#pragma once
+
+#include "planning/LatticeQuery.h"
+#include "planning/PathShortener.h"
+#include "seahex/planning/HexAStar.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace seahex
+{
+
+/// What shapes the work of a lattice planner.
+struct SearchSettings
+{
+    int rings;
+    Guidance guidance;
+    bool anytime;
+    bool smoothing;
+    bool allJumps;
+    bool direct;
+    bool tracing;
+};
+
+/// On what it works.
+struct SearchGround
+{
+    ompl::base::SpaceInformationPtr si;
+    ompl::base::OptimizationObjectivePtr objective;
+    HexLattice lattice;
+    std::shared_ptr<const HexOccupancy> chart;      ///< where the problem is one
+    std::shared_ptr<const HexOccupancy> occupancy;  ///< the same within the space's bounds
+};
+
+/// The steps of HexAStar, from a first answer to one that can't be bettered: searches with few rings and with all, each
+/// followed by the shortening of its path. Can be interrupted anywhere, and goes on there.
+class AnytimeSearch
+{
+public:
+    using Path = ompl::geometric::PathGeometric;
+    using OnImprovement = std::function<void(const Path &, ompl::base::Cost)>;
+
+    /// @param onImprovement  called with each path that is better than those before
+    /// @param board  told about running searches; must live on
+    AnytimeSearch(SearchGround ground, const SearchSettings &settings, ProgressBoard &board,
+                  OnImprovement onImprovement);
+
+    /// Begins with these states, which must live on; the best path so far is kept, as a path between some of them.
+    void begin(std::vector<const ompl::base::State *> starts, std::vector<const ompl::base::State *> goals);
+
+    /// Goes on until nothing is left to do, the cost threshold is met or the condition holds.
+    void work(const ompl::base::PlannerTerminationCondition &stop);
+
+    PlanningOutcome outcome() const;
+
+    /// nullptr if there is none.
+    const std::shared_ptr<Path> &best() const { return best_; }
+    ompl::base::Cost bestCost() const { return bestCost_; }
+
+    /// From a start to the centre nearest to a goal of all that the last search reached; nullptr if it reached none.
+    std::shared_ptr<Path> towardsGoal() const { return query_ ? query_->pathTowardsGoal() : nullptr; }
+
+    /// The last search; nullptr if there was none.
+    const LatticeQuery *query() const { return query_.get(); }
+    std::vector<HexCoord> trace() const;
+
+private:
+    enum class Step
+    {
+        SearchFirst,  // with one ring
+        SearchAll,    // with all
+        Shorten
+    };
+
+    bool compareDirectly(const ompl::base::PlannerTerminationCondition &stop);
+    bool take(Step step, const ompl::base::PlannerTerminationCondition &stop);
+    bool search(int rings, const ompl::base::PlannerTerminationCondition &stop);
+    bool shorten(const ompl::base::PlannerTerminationCondition &stop);
+    void makeQuery();
+    void offer(const std::shared_ptr<Path> &path);
+    ompl::base::Cost leastCost() const;
+
+    SearchGround ground_;
+    SearchSettings settings_;
+    ProgressBoard &board_;
+    OnImprovement onImprovement_;
+    PathShortener shortener_;
+    std::vector<const ompl::base::State *> starts_;
+    std::vector<const ompl::base::State *> goals_;
+    std::size_t comparedPairs_ = 0;  // of a start and a goal
+    std::vector<Step> steps_;
+    std::size_t step_ = 0;  // the one that is next, or was interrupted
+    bool isInStep_ = false;
+    std::unique_ptr<LatticeQuery> query_;
+    std::vector<CellIndex> trace_;
+    std::shared_ptr<Path> latticePath_;  // of the last search
+    std::shared_ptr<Path> best_;
+    ompl::base::Cost bestCost_;
+};
+
+}  // namespace seahex

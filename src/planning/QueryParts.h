@@ -1,0 +1,83 @@
+#pragma once
+
+#include "planning/LatticeQuery.h"
+#include "planning/MotionCache.h"
+#include "seahex/planning/PlanarEmbedding.h"
+#include "seahex/search/GoalCells.h"
+#include "seahex/search/HexJumps.h"
+#include "seahex/search/LengthWeight.h"
+
+#include <ompl/base/ScopedState.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace seahex
+{
+
+/// A leg between a start or goal state and a cell's centre.
+struct Joint
+{
+    HexCoord cell;
+    double cost;
+    const ompl::base::State *state;
+};
+
+/// What all queries share: embedding, layout, jumps, and the joints of starts and goals.
+class QueryParts
+{
+public:
+    explicit QueryParts(const LatticeQuestion &q);
+
+    /// Joins starts and goals to their cells. @return false if interrupted; call it again to go on
+    bool join();
+
+    /// The yaw at a centre that a start or goal joins: the course of the leg between them; the state's own where there
+    /// is no way to go.
+    double jointHeading(const ompl::base::State *state, HexCoord cell, bool isStart) const;
+
+    /// Is a start or goal the centre of the cell, so that the two are one vertex of the path? Where states have a yaw
+    /// they stay apart.
+    bool coincide(const ompl::base::State *state, HexCoord cell) const;
+
+    /// The cheapest of the joints to a cell, of which there must be one.
+    const Joint &best(const std::vector<Joint> &joints, HexCoord cell) const;
+
+    /// Forgets the cheapest joint of a goal to a cell.
+    void dropGoal(HexCoord cell) { goals.erase(goals.begin() + (&best(goals, cell) - goals.data())); }
+
+    std::vector<GoalCell> goalCells() const;
+
+    Point firstStart() const { return embedding.position(question.starts.front()); }
+    Point firstGoal() const { return embedding.position(question.goals.front()); }
+
+    /// What a unit of a search's cost is in the objective's: searches of lengths count in pitches.
+    double unit() const;
+
+    const LatticeQuestion question;
+    const PlanarEmbedding embedding;
+    const std::optional<LengthMetric> metric;  ///< of an objective that is a length, so that it need not be called
+    const CellLayout layout;
+    const HexJumps jumps;
+    std::unique_ptr<MotionCache> cache;  ///< where the problem is asked, not read
+    std::vector<Joint> starts;
+    std::vector<Joint> goals;
+    std::map<CellIndex, double> startHeadings;
+
+private:
+    void tryJoin(const ompl::base::State *state, HexCoord cell, bool isStart);
+    void placeCentre(const ompl::base::State *state, HexCoord cell, bool isStart);
+    void add(const ompl::base::State *state, HexCoord cell, bool isStart);
+    double jointCost(const ompl::base::State *state, HexCoord cell, bool isStart);
+
+    ompl::base::ScopedState<> scratch_;
+    std::vector<HexCoord> around_ = {{0, 0}};  // cells to join, relative to a state's own
+    std::size_t tried_ = 0;
+};
+
+/// The course from one point to another, radians.
+double courseBetween(const Point &a, const Point &b);
+
+}  // namespace seahex

@@ -1,0 +1,124 @@
+#include "planning/SearchTree.h"
+
+#include "seahex/planning/HexAStar.h"
+
+#include <utility>
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+namespace seahex
+{
+namespace
+{
+
+/// A number for each cell; a lattice has fewer than 2^32 of them.
+std::uint64_t keyOf(HexCoord cell)
+{
+    return (static_cast<std::uint64_t>(cell.s) << 32) ^ (static_cast<std::uint64_t>(cell.q) & 0xffffffffU);
+}
+
+ob::PlannerDataVertex tagged(const ob::State *state, PlannerDataTag tag)
+{
+    return {state, static_cast<int>(tag)};
+}
+
+}  // namespace
+
+SearchTree::SearchTree(ob::SpaceInformationPtr si) : si_(std::move(si)), embedding_(si_->getStateSpace().get()) {}
+
+void SearchTree::clear()
+{
+    for (const auto &entry : states_)
+        si_->freeState(entry.second);
+    states_.clear();
+    ends_.clear();
+}
+
+const ob::State *SearchTree::find(HexCoord cell) const
+{
+    const auto end = ends_.find(keyOf(cell));
+    if (end != ends_.end())
+        return end->second;
+    const auto state = states_.find(keyOf(cell));
+    return state == states_.end() ? nullptr : state->second;
+}
+
+const ob::State *SearchTree::stateOf(const TreeVertex &vertex)
+{
+    if (vertex.isStart)
+        ends_[keyOf(vertex.cell)] = vertex.start;
+    else if (ends_.count(keyOf(vertex.cell)) == 0)
+    {
+        ob::State *&state = states_[keyOf(vertex.cell)];
+        if (state == nullptr)
+            state = si_->allocState();
+        embedding_.place(state, vertex.position, vertex.heading);
+    }
+    return find(vertex.cell);
+}
+
+void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjective &objective, ob::PlannerData &data)
+{
+    query.forEachReachedGoal(
+        [&](const GoalVertex &vertex)
+        {
+            data.addGoalVertex(tagged(vertex.goal, PlannerDataTag::Waiting));
+            if (vertex.isCentre)
+                ends_[keyOf(vertex.cell)] = vertex.goal;
+        });
+    // Parents may come later than their children in the order of cells, so all vertices first.
+    query.forEachVertex(
+        [&](const TreeVertex &vertex)
+        {
+            const PlannerDataTag tag = vertex.isExpanded ? PlannerDataTag::Expanded : PlannerDataTag::Waiting;
+            const ob::State *state = stateOf(vertex);
+            data.addVertex(tagged(state, tag));
+            data.tagState(state, static_cast<int>(tag));
+            if (vertex.start != nullptr)
+                data.addStartVertex(tagged(vertex.start, PlannerDataTag::Expanded));
+        });
+    const auto join = [&](const ob::State *from, const ob::State *to)
+    {
+        if (from != to)
+            data.addEdge(data.vertexIndex(ob::PlannerDataVertex(from)), data.vertexIndex(ob::PlannerDataVertex(to)),
+                         ob::PlannerDataEdge(), objective.motionCost(from, to));
+    };
+    query.forEachVertex([&](const TreeVertex &vertex)
+                        { join(vertex.parent ? find(*vertex.parent) : vertex.start, find(vertex.cell)); });
+    query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.cell), vertex.goal); });
+}
+
+void SearchTree::write(const og::PathGeometric &path, const std::vector<const ob::State *> &ends,
+                       const HexLattice &lattice, const ob::OptimizationObjective &objective,
+                       ob::PlannerData &data) const
+{
+    const ob::StateSpace &space = *si_->getStateSpace();
+    const auto vertexOf = [&](const ob::State *state)
+    {
+        for (const ob::State *end : ends)
+            if (space.equalStates(end, state))
+                return end;
+        const ob::State *centre = find(lattice.cellAt(embedding_.position(state)));
+        return centre != nullptr && space.equalStates(centre, state) ? centre : state;
+    };
+    const ob::State *before = nullptr;
+    for (std::size_t i = 0; i < path.getStateCount(); ++i)
+    {
+        const ob::State *state = vertexOf(path.getState(static_cast<unsigned int>(i)));
+        const ob::PlannerDataVertex vertex = tagged(state, PlannerDataTag::Solution);
+        if (i == 0)
+            data.addStartVertex(vertex);
+        else if (i + 1 == path.getStateCount())
+            data.addGoalVertex(vertex);
+        else
+            data.addVertex(vertex);
+        data.tagState(state, static_cast<int>(PlannerDataTag::Solution));
+        if (before != nullptr && before != state)
+            data.addEdge(data.vertexIndex(ob::PlannerDataVertex(before)), data.vertexIndex(vertex),
+                         ob::PlannerDataEdge(), objective.motionCost(before, state));
+        before = state;
+    }
+}
+
+}  // namespace seahex

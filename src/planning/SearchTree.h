@@ -1,0 +1,51 @@
+#pragma once
+
+#include "planning/LatticeQuery.h"
+#include "seahex/planning/PlanarEmbedding.h"
+
+#include <ompl/base/PlannerData.h>
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace seahex
+{
+
+/// What a lattice planner found out, as PlannerData: a vertex for every cell that was reached, an edge for every jump
+/// of the search tree, the joints of starts and goals, and the path.
+///
+/// PlannerData knows vertices by the address of their state, so the states live here and stay where they are until
+/// clear(). Memory: a state and about 100 bytes a cell.
+class SearchTree
+{
+public:
+    explicit SearchTree(ompl::base::SpaceInformationPtr si);
+    ~SearchTree() { clear(); }
+    SearchTree(const SearchTree &) = delete;
+    SearchTree &operator=(const SearchTree &) = delete;
+
+    /// Adds the tree; the starts of the problem are its start vertices, the goals its goal vertices.
+    void write(const LatticeQuery &query, const ompl::base::OptimizationObjective &objective,
+               ompl::base::PlannerData &data);
+
+    /// Adds a path, whose states must live on; those that are vertices already are not added again.
+    /// @param ends  the starts and goals of the problem
+    void write(const ompl::geometric::PathGeometric &path, const std::vector<const ompl::base::State *> &ends,
+               const HexLattice &lattice, const ompl::base::OptimizationObjective &objective,
+               ompl::base::PlannerData &data) const;
+
+    void clear();
+
+private:
+    ompl::base::SpaceInformationPtr si_;
+    PlanarEmbedding embedding_;
+    const ompl::base::State *stateOf(const TreeVertex &vertex);
+    const ompl::base::State *find(HexCoord cell) const;
+
+    // by cell, see keyOf()
+    std::unordered_map<std::uint64_t, ompl::base::State *> states_;
+    std::unordered_map<std::uint64_t, const ompl::base::State *> ends_;  // starts and goals that are centres
+};
+
+}  // namespace seahex
