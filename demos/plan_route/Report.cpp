@@ -149,6 +149,7 @@ std::string jsonReport(const Options &options, const Result &result)
                          {"smoothed", result.smoothed ? routeJson(*result.smoothed) : Json(nullptr)},
                          {"expanded", result.expanded},
                          {"search_ms", number(result.searchMs)},
+                         {"improvable", result.isImprovable},
                          {"chart", chartJson(*result.chart)},
                          {"lattice",
                           {{"pitch", number(occupancy.lattice().pitch())},
@@ -193,6 +194,8 @@ std::string textReport(const Options &options, const Result &result)
                   static_cast<long long>(occupancy.blockedCount()), result.arena->buildMs());
     out << format("search    %s, %llu cells expanded, %.1f ms\n", options.planner.c_str(),
                   static_cast<unsigned long long>(result.expanded), result.searchMs);
+    if (result.isImprovable)
+        out << "          out of time after a first route; with more --time it may become better\n";
     describeRoute(out, "path", result.raw);
     if (options.metric == seahex::LengthMetric::Lattice)
         out << format("          %.0f steps between cells\n", result.raw.metrics.lengthLattice);

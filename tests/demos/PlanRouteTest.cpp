@@ -41,6 +41,7 @@ TEST(PlanRoute, jsonHasEveryFieldOfTheContract)
     EXPECT_EQ(report.at("planner"), "HexAStar");
     EXPECT_GT(report.at("expanded"), 0);
     EXPECT_GT(report.at("search_ms"), 0.0);
+    EXPECT_EQ(report.at("improvable"), false);
     expectKeys(report.at("chart"), {"cells", "features_used", "features_skipped", "read_ms"});
     ASSERT_EQ(report.at("chart").at("cells").size(), 1u);
     EXPECT_EQ(report.at("chart").at("cells").at(0).at("name"), "shangchuan");

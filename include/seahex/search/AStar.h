@@ -63,8 +63,9 @@ public:
 
     /// Goes on until a best path is found, no cell is left, or stop() returns true. stop() is asked before the first
     /// expansion and after every `pollInterval` of them.
+    // Flattened: whether the compiler inlines the inner loop must not depend on what else is in the file.
     template <class Stop>
-    SearchStatus run(Stop &&stop, std::uint64_t pollInterval)
+    [[gnu::flatten]] SearchStatus run(Stop &&stop, std::uint64_t pollInterval)
     {
         std::uint64_t untilPoll = 0;
         while (!open_.empty())
