@@ -21,6 +21,8 @@ public:
         : parts_(std::move(parts)), graph_(makeGraph(*parts_)), search_(graph_), rings_(parts_->question.rings)
     {
         search_.setTrace(parts_->question.trace);
+        if (const ProgressBoard *board = parts_->question.board)
+            expandedBefore_ = board->expanded;
     }
 
     bool hasStart() const override { return !parts_->starts.empty(); }
