@@ -4,6 +4,8 @@
 
 #include <ompl/base/SpaceInformation.h>
 
+#include <cmath>
+
 namespace ob = ompl::base;
 
 namespace seahex
@@ -17,7 +19,8 @@ OccupancyMotionValidator::OccupancyMotionValidator(const ob::SpaceInformationPtr
 
 bool OccupancyMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2) const
 {
-    // The bounds are convex, so the ends stand for the whole motion.
+    // The bounds are convex, or those of a lattice, which contain what a motion is interpolated by: the ends stand for
+    // the whole.
     const bool valid = si_->satisfiesBounds(s1) && si_->satisfiesBounds(s2) &&
                        isFree(*occupancy_, embedding_.position(s1), embedding_.position(s2));
     valid ? ++valid_ : ++invalid_;
@@ -31,7 +34,8 @@ bool OccupancyMotionValidator::checkMotion(const ob::State *s1, const ob::State 
         return true;
     // A state of our own, because callers may have the last valid one written over s2.
     ob::State *state = si_->allocState();
-    lastValid.second = lastValidFraction(s1, s2, state);
+    lastValid.second =
+        embedding_.lattice() != nullptr ? lastValidStep(s1, s2, state) : lastValidFraction(s1, s2, state);
     if (lastValid.first != nullptr)
     {
         si_->copyState(state, s1);
@@ -64,6 +68,24 @@ double OccupancyMotionValidator::lastValidFraction(const ob::State *s1, const ob
         (holds ? valid : invalid) = middle;
     }
     return valid;
+}
+
+double OccupancyMotionValidator::lastValidStep(const ob::State *s1, const ob::State *s2, ob::State *state) const
+{
+    const Point a = embedding_.position(s1);
+    const Point b = embedding_.position(s2);
+    const std::optional<double> free = lastFree(*occupancy_, a, b);
+    if (!si_->satisfiesBounds(s1) || !free)
+        return 0.0;
+    const HexLattice &lattice = *embedding_.lattice();
+    const auto steps = static_cast<double>(hexDistance(lattice.cellAt(a), lattice.cellAt(b)));
+    for (double step = std::floor(*free * steps); step > 0.0; --step)
+    {
+        si_->getStateSpace()->interpolate(s1, s2, step / steps, state);
+        if (si_->satisfiesBounds(state) && isFree(*occupancy_, a, embedding_.position(state)))
+            return step / steps;
+    }
+    return 0.0;
 }
 
 }  // namespace seahex

@@ -1,5 +1,7 @@
 #include "seahex/planning/PlanarEmbedding.h"
 
+#include "seahex/planning/HexStateSpace.h"
+
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/util/Exception.h>
@@ -14,10 +16,13 @@ namespace seahex
 PlanarEmbedding::PlanarEmbedding(const ob::StateSpace *space)
     : space_(space), hasHeading_(space != nullptr && typeid(*space) == typeid(ob::SE2StateSpace))
 {
+    if (const auto *cells = dynamic_cast<const HexStateSpace *>(space))
+        lattice_ = &cells->lattice();
     const auto *plane = dynamic_cast<const ob::RealVectorStateSpace *>(space);
-    if (!hasHeading_ && (plane == nullptr || plane->getDimension() != 2))
+    if (!hasHeading_ && lattice_ == nullptr && (plane == nullptr || plane->getDimension() != 2))
         throw ompl::Exception("seahex", "the space '" + (space == nullptr ? std::string("null") : space->getName()) +
-                                            "' is neither R^2 nor SE(2): its states have no place on a lattice");
+                                            "' is neither R^2 nor SE(2) nor a HexStateSpace: its states have no place "
+                                            "on a lattice");
 }
 
 Point PlanarEmbedding::position(const ob::State *state) const
@@ -27,6 +32,8 @@ Point PlanarEmbedding::position(const ob::State *state) const
         const auto *pose = state->as<ob::SE2StateSpace::StateType>();
         return {pose->getX(), pose->getY()};
     }
+    if (lattice_ != nullptr)
+        return lattice_->centre(state->as<HexStateSpace::StateType>()->cell());
     const double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
     return {values[0], values[1]};
 }
@@ -48,6 +55,11 @@ void PlanarEmbedding::place(ob::State *state, const Point &position, double head
         poses->as<ob::SO2StateSpace>(1)->enforceBounds(pose->components[1]);
         return;
     }
+    if (lattice_ != nullptr)
+    {
+        state->as<HexStateSpace::StateType>()->setCell(lattice_->cellAt(position));
+        return;
+    }
     double *values = state->as<ob::RealVectorStateSpace::StateType>()->values;
     values[0] = position.x();
     values[1] = position.y();
@@ -55,6 +67,8 @@ void PlanarEmbedding::place(ob::State *state, const Point &position, double head
 
 Box PlanarEmbedding::bounds() const
 {
+    if (lattice_ != nullptr)
+        return lattice_->bounds();
     const ob::RealVectorBounds &b = hasHeading_ ? space_->as<ob::SE2StateSpace>()->getBounds()
                                                 : space_->as<ob::RealVectorStateSpace>()->getBounds();
     return {Point(b.low[0], b.low[1]), Point(b.high[0], b.high[1])};

@@ -1,5 +1,6 @@
 #include "seahex/planning/Setup.h"
 
+#include "seahex/planning/HexStateSpace.h"
 #include "seahex/planning/OccupancyMotionValidator.h"
 #include "seahex/planning/OccupancyValidityChecker.h"
 #include "seahex/planning/PlanarEmbedding.h"
@@ -25,6 +26,11 @@ ob::StateSpacePtr planarSpace(const HexOccupancy &occupancy)
     auto space = std::make_shared<ob::RealVectorStateSpace>(2);
     space->setBounds(bounds);
     return space;
+}
+
+ob::StateSpacePtr latticeSpace(const HexOccupancy &occupancy)
+{
+    return std::make_shared<HexStateSpace>(occupancy.lattice());
 }
 
 void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const HexOccupancy> &occupancy)

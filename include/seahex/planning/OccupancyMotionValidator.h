@@ -24,6 +24,9 @@ public:
     /// If the motion is invalid, lastValid.second is the largest fraction of it that is valid, to a 2^-40th of the way,
     /// and lastValid.first, if not null, the state there; it may be s2 itself. The motion from s1 to that state is
     /// itself valid. 0 and s1 where s1 is invalid.
+    ///
+    /// In a HexStateSpace the fractions are whole steps between neighbours, and the state is the cell there: the last
+    /// one on the valid part of the line to which the motion from s1, another line, is valid as well.
     bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                      std::pair<ompl::base::State *, double> &lastValid) const override;
 
@@ -31,6 +34,7 @@ public:
 
 private:
     double lastValidFraction(const ompl::base::State *s1, const ompl::base::State *s2, ompl::base::State *state) const;
+    double lastValidStep(const ompl::base::State *s1, const ompl::base::State *s2, ompl::base::State *state) const;
 
     PlanarEmbedding embedding_;
     std::shared_ptr<const HexOccupancy> occupancy_;
