@@ -91,7 +91,8 @@ public:
         const bool isLength = parts.question.objective->isCostBetterThan(ompl::base::Cost(0.0), ompl::base::Cost(1.0));
         if (!admissible || !isLength || parts.embedding.hasHeading() || !joined_)
             return std::nullopt;
-        return search_.leastKey() * parts.unit();
+        constexpr double rounding = 1e-8;  // of sums, and of the distances of a HexStateSpace
+        return search_.leastKey() * parts.unit() * (1.0 - rounding);
     }
 
     void forEachVertex(const std::function<void(const TreeVertex &)> &visit) const override

@@ -139,10 +139,10 @@ void HexAStar::setup()
 {
     ob::Planner::setup();
     setup_ = false;  // unless all of the following goes well
-    const Box bounds = PlanarEmbedding(si_->getStateSpace().get()).bounds();
+    const PlanarEmbedding embedding(si_->getStateSpace().get());
     chart_ = sharedOccupancy(*si_);
-    occupancy_ = chart_ ? withinBounds(chart_, bounds) : nullptr;
-    lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(bounds, requestedCellSize_);
+    occupancy_ = chart_ ? withinBounds(chart_, embedding.bounds()) : nullptr;
+    lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(embedding, requestedCellSize_);
     if (!pdef_)
         return;
     problemObjective_ = pdef_->getOptimizationObjective();

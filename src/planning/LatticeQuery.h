@@ -28,7 +28,8 @@ struct LatticeQuestion
     ompl::base::OptimizationObjectivePtr objective;
     HexLattice lattice;
     /// If given, the problem's validity is that of this occupancy, and states join the centre of their own cell, which
-    /// is free and convex. Elsewhere they join every centre within one ring that a valid motion reaches.
+    /// is free and convex. Elsewhere they join every centre within one ring that a valid motion reaches; states of a
+    /// HexStateSpace are centres.
     std::shared_ptr<const HexOccupancy> occupancy;
     /// Read the occupancy; otherwise `si` is asked, with the same result.
     bool direct = true;

@@ -52,8 +52,8 @@ PathShortener::Result PathShortener::shorten(const og::PathGeometric &path,
         return {nullptr, true};
     Budget budget(stop);
     const ob::OptimizationObjective &objective = *objective_;
-    const bool isPlaneLength =
-        typeid(objective) == typeid(ob::PathLengthOptimizationObjective) && !embedding_.hasHeading();
+    const bool isPlaneLength = typeid(objective) == typeid(ob::PathLengthOptimizationObjective) &&
+                               !embedding_.hasHeading() && embedding_.lattice() == nullptr;
     auto shorter = isPlaneLength ? pulledTaut(path, budget) : withShortcuts(path, budget);
     if (shorter && !objective_->isCostBetterThan(shorter->cost(objective_), path.cost(objective_)))
         shorter.reset();

@@ -15,7 +15,7 @@ namespace seahex
 
 /// Makes a lattice's path better by straight motions between points of it.
 ///
-/// Where states are points of the plane and cost is their path's length, the path is pulled taut (pullString).
+/// Where states are any points of the plane and cost is their path's length, the path is pulled taut (pullString).
 /// Elsewhere states are left out as long as the motion in their place is valid and costs no more, by the objective's
 /// own word; in SE(2) the yaws become the courses of the new legs. Every motion of the result was found valid.
 class PathShortener

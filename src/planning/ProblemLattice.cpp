@@ -34,6 +34,9 @@ std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &
     const auto *validator = exactly<OccupancyMotionValidator>(si.getMotionValidator().get());
     if (checker == nullptr || validator == nullptr || checker->occupancy() != validator->occupancy())
         return nullptr;
+    const HexLattice *cells = PlanarEmbedding(si.getStateSpace().get()).lattice();
+    if (cells != nullptr && !(*cells == checker->occupancy()->lattice()))
+        return nullptr;
     return checker->occupancy();
 }
 
@@ -65,8 +68,11 @@ std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const Hex
     return std::make_shared<const HexOccupancy>(lattice, occupancy->layout(), std::move(bits.words()));
 }
 
-HexLattice layLattice(const Box &bounds, double requestedCellSize)
+HexLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize)
 {
+    if (embedding.lattice() != nullptr)
+        return *embedding.lattice();
+    const Box bounds = embedding.bounds();
     const Point extent = bounds.max - bounds.min;
     const double pitch = requestedCellSize > 0.0 ? requestedCellSize : extent.maxCoeff() / 200.0;
     // Estimated first: the number of cells of a tiny pitch is beyond any lattice.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "seahex/geometry/HexLattice.h"
+#include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/world/HexOccupancy.h"
 
 #include <ompl/base/SpaceInformation.h>
@@ -11,15 +12,16 @@ namespace seahex
 {
 
 /// The occupancy of which checker and motion validator of a problem both are; nullptr if the problem is another.
-/// Classes derived from the two may say more than the occupancy does, so they make another problem.
+/// Classes derived from the two may say more than the occupancy does, so they make another problem; so does a
+/// HexStateSpace of another lattice, whose states do not lie at the occupancy's centres.
 std::shared_ptr<const HexOccupancy> sharedOccupancy(const ompl::base::SpaceInformation &si);
 
 /// The occupancy less the cells whose centres lie outside the box: these are blocked. The same one if there are none.
 std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const HexOccupancy> &occupancy, const Box &box);
 
-/// The lattice of a problem with no chart.
-/// @param requestedCellSize  its pitch; 0 for a 200th of the largest extent
+/// The lattice of a problem with no chart: the space's own, if it is a HexStateSpace, or one laid over its bounds.
+/// @param requestedCellSize  pitch of the latter; 0 for a 200th of the largest extent
 /// @throws ompl::Exception if it would have more than 10^6 cells
-HexLattice layLattice(const Box &bounds, double requestedCellSize);
+HexLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize);
 
 }  // namespace seahex

@@ -40,7 +40,7 @@ QueryParts::QueryParts(const LatticeQuestion &q)
 {
     if (!q.occupancy || !q.direct)
         cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps);
-    if (!q.occupancy)
+    if (!q.occupancy && embedding.lattice() == nullptr)
         for (const RingOffset &offset : ringOffsets(1))
             around_.push_back(offset.offset);
 }

@@ -58,6 +58,11 @@ struct RandomBay
     ob::ProblemDefinitionPtr problem;
 };
 
+SpaceKind randomKind(Random &random)
+{
+    return static_cast<SpaceKind>(random.integer(0, 2));
+}
+
 /// Planner with both ways to improve on.
 std::shared_ptr<HexAStar> anytimePlanner(const ob::ProblemDefinitionPtr &problem)
 {
@@ -95,7 +100,7 @@ TEST(HexAStarAnytime, ReadingTheOccupancyOrAskingGivesTheSameAnswer)
     forEachSeed(300,
                 [&](Random &random)
                 {
-                    const RandomBay bay(random, random.chance(0.3) ? SpaceKind::Pose : SpaceKind::Plane);
+                    const RandomBay bay(random, randomKind(random));
                     bay.problem->setOptimizationObjective(randomObjective(random, bay));
                     const auto reading = anytimePlanner(bay.problem);
                     const auto asking = anytimePlanner(bay.problem);
@@ -133,7 +138,7 @@ TEST(HexAStarAnytime, EachAnswerIsBetterAndAllAreTold)
     forEachSeed(200,
                 [&](Random &random)
                 {
-                    const RandomBay bay(random);
+                    const RandomBay bay(random, random.chance(0.3) ? SpaceKind::Cells : SpaceKind::Plane);
                     std::vector<double> told;
                     bay.problem->setIntermediateSolutionCallback(
                         [&](const ob::Planner *, const std::vector<const ob::State *> &states, ob::Cost cost)
@@ -180,7 +185,7 @@ TEST(HexAStarAnytime, InterruptedAnywhereItEndsWithTheSameAnswer)
     forEachSeed(60,
                 [&](Random &random)
                 {
-                    const RandomBay bay(random, random.chance(0.3) ? SpaceKind::Pose : SpaceKind::Plane);
+                    const RandomBay bay(random, randomKind(random));
                     bay.problem->setOptimizationObjective(randomObjective(random, bay));
                     const auto whole = anytimePlanner(bay.problem);
                     const bool direct = random.chance(0.5);
@@ -220,7 +225,7 @@ TEST(HexAStarAnytime, TheThresholdEndsTheWork)
     forEachSeed(40,
                 [&](Random &random)
                 {
-                    const RandomBay bay(random);
+                    const RandomBay bay(random, random.chance(0.3) ? SpaceKind::Cells : SpaceKind::Plane);
                     const auto objective = std::make_shared<ob::PathLengthOptimizationObjective>(bay.si);
                     bay.problem->setOptimizationObjective(objective);
                     const auto whole = anytimePlanner(bay.problem);
@@ -260,7 +265,7 @@ TEST(HexAStarProgress, TheLowerBoundIsOneAndMeetsTheLatticesOptimum)
     forEachSeed(200,
                 [&](Random &random)
                 {
-                    const RandomBay bay(random);
+                    const RandomBay bay(random, random.chance(0.3) ? SpaceKind::Cells : SpaceKind::Plane);
                     const auto planner = plannerFor(bay.problem);
                     const bool smoothing = random.chance(0.5);
                     planner->setSmoothing(smoothing);

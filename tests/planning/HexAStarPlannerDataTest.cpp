@@ -56,8 +56,8 @@ TEST(HexAStarPlannerData, IsTheTreeOfTheSearchAndThePath)
                     const HexLattice lattice(Point(0, 0), 1.0, 10, 9);
                     const auto occupancy = randomOccupancy(random, lattice, random.real(0.0, 0.4));
                     const bool chart = random.chance(0.7);
-                    const bool pose = random.chance(0.3);
-                    const SpaceKind kind = pose ? SpaceKind::Pose : SpaceKind::Plane;
+                    const auto kind = static_cast<SpaceKind>(random.integer(0, 2));
+                    const bool pose = kind == SpaceKind::Pose;
                     const auto si = chart ? chartSpace(occupancy, kind)
                                           : userSpace(lattice.bounds(), kind, [](const ob::State *) { return true; });
                     const auto end = [&]

@@ -2,9 +2,11 @@
 
 #include "support/HexOracle.h"
 
+#include <seahex/planning/HexStateSpace.h>
 #include <seahex/planning/OccupancyMotionValidator.h>
 #include <seahex/planning/OccupancyValidityChecker.h>
 #include <seahex/planning/PlanarEmbedding.h>
+#include <seahex/planning/Setup.h>
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -34,6 +36,8 @@ ob::StateSpacePtr spaceWithin(const Box &bounds, SpaceKind kind)
         space->setBounds(box);
         return space;
     }
+    if (kind == SpaceKind::Cells)
+        return std::make_shared<HexStateSpace>(HexLattice::covering(bounds, 1.0));
     auto space = std::make_shared<ob::RealVectorStateSpace>(2);
     space->setBounds(box);
     return space;
@@ -47,7 +51,8 @@ ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &oc
 ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind,
                                    const Box &bounds)
 {
-    auto si = std::make_shared<ob::SpaceInformation>(spaceWithin(bounds, kind));
+    auto si = std::make_shared<ob::SpaceInformation>(kind == SpaceKind::Cells ? latticeSpace(*occupancy)
+                                                                              : spaceWithin(bounds, kind));
     si->setStateValidityChecker(std::make_shared<OccupancyValidityChecker>(si, occupancy));
     si->setMotionValidator(std::make_shared<OccupancyMotionValidator>(si, occupancy));
     si->setup();

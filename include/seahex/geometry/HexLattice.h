@@ -73,6 +73,13 @@ public:
     /// Distance from a point to the closed cell, 0 inside.
     double distance(const Point &p, HexCoord cell) const;
 
+    /// The same cells at the same places.
+    friend bool operator==(const HexLattice &a, const HexLattice &b)
+    {
+        return a.northWest_ == b.northWest_ && a.pitch_ == b.pitch_ && a.columns_ == b.columns_ && a.rows_ == b.rows_;
+    }
+    friend bool operator!=(const HexLattice &a, const HexLattice &b) { return !(a == b); }
+
 private:
     Point northWest_;
     double pitch_;

@@ -56,8 +56,9 @@ struct Improvement
 /// space's bounds are left out. A state joins the centre of its own cell. **With no chart** the planner lays a lattice
 /// over the space's bounds and asks the problem's own checker and motion validator, lazily, each cell and each motion
 /// once (motions must be as valid there as back); start and goal join every centre within one ring that a valid motion
-/// reaches. In SE(2) the yaw at each centre is the course of the leg that led there; a motion that does not hold with
-/// the yaw of the path's leg before it is taken out of the lattice, and the search begins again.
+/// reaches. In a HexStateSpace the lattice is the space's. In SE(2) the yaw at each centre is the course of the leg
+/// that led there; a motion that does not hold with the yaw of the path's leg before it is taken out of the lattice,
+/// and the search begins again.
 ///
 /// **Answers.** solve() works in steps, each of which may better the answer: a search with one ring (setAnytime), its
 /// path shortened (setSmoothing), the search with all rings, its path shortened. The best path is kept, each
