@@ -23,11 +23,15 @@ std::int64_t toIndex(double value)
 
 }  // namespace
 
-SegmentSpans::SegmentSpans(const HexLattice &lattice, const Point &a, const Point &b, double radius)
-    : pitch_(lattice.pitch()), side_(lattice.side())
+double traversalTolerance(const HexLattice &lattice, const Point &a, const Point &b)
 {
-    tolerance_ = 1e-9 * std::max({largestCoordinate(a), largestCoordinate(b), largestCoordinate(lattice.northWest()),
-                                  lattice.pitch()});
+    return 1e-9 * std::max({largestCoordinate(a), largestCoordinate(b), largestCoordinate(lattice.northWest()),
+                            lattice.pitch()});
+}
+
+SegmentSpans::SegmentSpans(const HexLattice &lattice, const Point &a, const Point &b, double radius)
+    : pitch_(lattice.pitch()), side_(lattice.side()), tolerance_(traversalTolerance(lattice, a, b))
+{
     // Half of the tolerance is spent here on being a superset; the other half covers nearly level segments and
     // rounding.
     reach_ = radius + 0.5 * tolerance_;

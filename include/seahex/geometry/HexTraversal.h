@@ -16,6 +16,10 @@ namespace seahex
 // disc of radius r. A row of centres cuts that set in one interval, so the answer is a span of columns for each row,
 // and no cell needs to be tested by itself.
 
+/// How exact questions about a segment of arbitrary doubles are: 1e-9 times the largest of the coordinates of a, b and
+/// the lattice's origin, and of the pitch.
+double traversalTolerance(const HexLattice &lattice, const Point &a, const Point &b);
+
 /// The cells of one row that lie within `radius` of the segment, as an interval of columns.
 struct RowSpan
 {
@@ -34,7 +38,7 @@ public:
     /// @param radius  >= 0, in the plane's unit
     SegmentSpans(const HexLattice &lattice, const Point &a, const Point &b, double radius = 0.0);
 
-    /// 1e-9 times the largest of the coordinates of a, b and the lattice's origin, and of the pitch.
+    /// traversalTolerance() of the segment.
     double tolerance() const { return tolerance_; }
 
     std::int64_t firstRow() const { return firstRow_; }
