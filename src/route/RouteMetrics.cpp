@@ -13,7 +13,6 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double leastTurnRad = 1e-6;
 
 Route countedPart(const Route &route, CountedLegs counted)
 {

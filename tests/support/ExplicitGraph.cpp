@@ -44,6 +44,18 @@ std::size_t vertexOf(const HexLattice &lattice, HexCoord cell)
 ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric)
 {
     const HexLattice &lattice = occupancy.lattice();
+    return jumpGraph(occupancy, rings,
+                     [&](HexCoord from, HexCoord to)
+                     {
+                         if (metric == LengthMetric::Lattice)
+                             return static_cast<double>(hexDistance(from, to));
+                         return (lattice.centre(to) - lattice.centre(from)).norm() / lattice.pitch();
+                     });
+}
+
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, const std::function<double(HexCoord, HexCoord)> &cost)
+{
+    const HexLattice &lattice = occupancy.lattice();
     ExplicitGraph graph(static_cast<std::size_t>(lattice.cellCount()));
     const auto addJump = [&](HexCoord from, HexCoord to)
     {
@@ -52,9 +64,7 @@ ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric m
             return;
         if (!forEachTouchedCell(from, to, [&](HexCoord cell) { return occupancy.isFree(cell); }))
             return;
-        const double length = (lattice.centre(to) - lattice.centre(from)).norm() / lattice.pitch();
-        graph.addEdge(vertexOf(lattice, from), vertexOf(lattice, to),
-                      metric == LengthMetric::Lattice ? static_cast<double>(steps) : length);
+        graph.addEdge(vertexOf(lattice, from), vertexOf(lattice, to), cost(from, to));
     };
     for (std::int64_t row = 0; row < lattice.rows(); ++row)
         for (std::int64_t column = 0; column < lattice.columns(); ++column)

@@ -4,6 +4,7 @@
 #include <seahex/world/HexOccupancy.h>
 
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -45,5 +46,9 @@ std::size_t vertexOf(const HexLattice &lattice, HexCoord cell);
 /// repetitions included. Costs in cells: Euclidean length from centre to centre, or steps between neighbours. It knows
 /// nothing of HexRing and HexJumps.
 ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric);
+
+/// The same jumps at a cost of one's own.
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings,
+                        const std::function<double(HexCoord from, HexCoord to)> &cost);
 
 }  // namespace seahex::test

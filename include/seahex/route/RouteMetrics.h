@@ -8,6 +8,9 @@
 namespace seahex
 {
 
+/// A change of heading up to this many radians is no turn.
+constexpr double leastTurnRad = 1e-6;
+
 /// The numbers by which routes are compared, each with its one definition.
 struct RouteMetrics
 {
@@ -15,7 +18,7 @@ struct RouteMetrics
     double lengthCells = 0.0;  ///< Euclidean length over the cell width, whole route
     double lengthLattice =
         0.0;        ///< sum of D ([Cheng2020] eq. 4, extended to all segments by hexNorm) over the counted legs
-    int turns = 0;  ///< heading changes above 1e-6 rad at waypoints between counted legs, collinear ones merged
+    int turns = 0;  ///< heading changes above leastTurnRad at waypoints between counted legs, collinear ones merged
     double turnAngleRad = 0.0;  ///< sum of those changes, each in (0, pi]
     /// Least distance in metres from the whole line to the geometry of a blocking hazard itself; infinite if there is
     /// none. Filled by whoever knows the hazards.
