@@ -1,6 +1,7 @@
-// OMPL's planners on the cells of a hexagonal lattice: a discrete state space, two walls, and what each planner's path
-// costs.
+// HexAStar and OMPL's planners on the cells of a hexagonal lattice: a discrete state space, two walls, and what each
+// planner's path costs.
 
+#include <seahex/planning/HexAStar.h>
 #include <seahex/planning/Setup.h>
 #include <seahex/world/OccupancyBuilder.h>
 
@@ -39,7 +40,8 @@ int main()
 
     const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
     const std::vector<ob::PlannerPtr> planners = {
-        std::make_shared<og::RRTConnect>(si), std::make_shared<og::RRTstar>(si), std::make_shared<og::PRMstar>(si),
+        std::make_shared<seahex::HexAStar>(si), std::make_shared<og::RRTConnect>(si), std::make_shared<og::RRTstar>(si),
+        std::make_shared<og::PRMstar>(si),
         // any other planner of OMPL's: a line here
     };
 

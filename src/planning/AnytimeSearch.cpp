@@ -1,5 +1,6 @@
 #include "planning/AnytimeSearch.h"
 
+#include "seahex/planning/AdmissibleHeuristic.h"
 #include "seahex/planning/PlanarEmbedding.h"
 
 #include <utility>
@@ -180,7 +181,7 @@ ob::Cost AnytimeSearch::leastCost() const
     ob::Cost least = ground_.objective->infiniteCost();
     for (const ob::State *start : starts_)
         for (const ob::State *goal : goals_)
-            least = ground_.objective->betterCost(least, ground_.objective->motionCostHeuristic(start, goal));
+            least = ground_.objective->betterCost(least, admissibleHeuristic(*ground_.objective, start, goal));
     return least;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "seahex/planning/AdmissibleHeuristic.h"
 #include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/search/GoalCells.h"
 #include "seahex/search/Guidance.h"
@@ -63,7 +64,7 @@ public:
             return objective_.identityCost().value();
         embedding_.place(from_->get(), lattice_.centre(cell));
         embedding_.place(to_->get(), lattice_.centre(goal.cell));
-        return combine(objective_.motionCostHeuristic(from_->get(), to_->get()).value(), goal.finish);
+        return combine(admissibleHeuristic(objective_, from_->get(), to_->get()).value(), goal.finish);
     }
 
     double tie(HexCoord cell, double) const

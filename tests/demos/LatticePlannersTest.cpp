@@ -37,7 +37,7 @@ TEST(LatticePlanners, PrintsWhatEachPathCosts)
     const ProgramResult result = runProgram({SEAHEX_LATTICE_PLANNERS});
     ASSERT_EQ(result.exitCode, 0) << result.summary();
     const std::map<std::string, double> costs = costsIn(result.out);
-    for (const char *planner : {"RRTConnect", "RRTstar", "PRMstar"})
+    for (const char *planner : {"HexAStar", "RRTConnect", "RRTstar", "PRMstar"})
         EXPECT_EQ(costs.count(planner), 1U) << result.summary();
     // around the tips of both walls; start and goal snap to centres, at most 2.5 / sqrt(3) away
     const double shortest = std::hypot(22, 70) + std::hypot(34, 60) + std::hypot(24, 70) - 2.0 * 1.4434;
