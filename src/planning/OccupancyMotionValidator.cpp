@@ -4,7 +4,7 @@
 
 #include <ompl/base/SpaceInformation.h>
 
-#include <cmath>
+#include <cstdint>
 
 namespace ob = ompl::base;
 
@@ -78,12 +78,14 @@ double OccupancyMotionValidator::lastValidStep(const ob::State *s1, const ob::St
     if (!si_->satisfiesBounds(s1) || !free)
         return 0.0;
     const HexLattice &lattice = *embedding_.lattice();
-    const auto steps = static_cast<double>(hexDistance(lattice.cellAt(a), lattice.cellAt(b)));
-    for (double step = std::floor(*free * steps); step > 0.0; --step)
+    const std::int64_t steps = hexDistance(lattice.cellAt(a), lattice.cellAt(b));
+    const auto count = static_cast<double>(steps);
+    for (auto step = static_cast<std::int64_t>(*free * count); step > 0; --step)
     {
-        si_->getStateSpace()->interpolate(s1, s2, step / steps, state);
+        const double fraction = static_cast<double>(step) / count;
+        si_->getStateSpace()->interpolate(s1, s2, fraction, state);
         if (si_->satisfiesBounds(state) && isFree(*occupancy_, a, embedding_.position(state)))
-            return step / steps;
+            return fraction;
     }
     return 0.0;
 }

@@ -192,7 +192,9 @@ Defect defect(const std::string &name, const std::string &rule)
 {
     // a spread is only seen where there is room for it
     const HexLattice &lattice = rule == "gaussian sampler" ? large : small;
-    return {name, rule, factoryOf<Space>(lattice), promisesOf<Space>(lattice)};
+    Defect made{name, rule, {}, promisesOf<Space>(lattice)};
+    made.makeSpace = factoryOf<Space>(lattice);
+    return made;
 }
 
 std::vector<Defect> allDefects()
