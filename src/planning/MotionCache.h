@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/Courses.h"
 #include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/search/HexJumps.h"
 
@@ -7,7 +8,6 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -153,7 +153,7 @@ private:
     bool motion(const Point &a, double heading, const Point &b)
     {
         embedding_.place(from_.get(), a, heading);
-        embedding_.place(to_.get(), b, std::atan2(b.y() - a.y(), b.x() - a.x()));
+        embedding_.place(to_.get(), b, courseBetween(a, b));
         return (!embedding_.hasHeading() || ask(si_->isValid(to_.get()))) &&
                ask(si_->checkMotion(from_.get(), to_.get()));
     }

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "planning/Courses.h"
 #include "planning/MotionCache.h"
 #include "seahex/search/GoalCells.h"
 
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -22,13 +22,8 @@ public:
     MotionGraph(MotionCache &cache, const HexLattice &lattice, const CellLayout &layout, const HexJumps &jumps,
                 const std::map<CellIndex, double> &startHeadings, std::vector<GoalCell> goals, Weight weight)
         : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
-          startHeadings_(startHeadings), count_(jumps.size())
+          startHeadings_(startHeadings), courses_(coursesOf(jumps, lattice)), count_(jumps.size())
     {
-        for (std::size_t k = 0; k < jumps_.size(); ++k)
-        {
-            const Point d = lattice.centre(jumps_.offset(k).offset) - lattice.centre({0, 0});
-            courses_.push_back(std::atan2(d.y(), d.x()));
-        }
     }
 
     /// Uses the jumps of the first rings only; a search that has begun must be reset.

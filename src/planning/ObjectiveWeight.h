@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/Courses.h"
 #include "seahex/planning/AdmissibleHeuristic.h"
 #include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/search/GoalCells.h"
@@ -10,7 +11,6 @@
 #include <ompl/base/ScopedState.h>
 #include <ompl/base/SpaceInformation.h>
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -28,13 +28,8 @@ public:
                     const HexJumps &jumps, Guidance guidance, const Point &start, const Point &goal)
         : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
           start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
-          to_(std::make_shared<ompl::base::ScopedState<>>(si))
+          to_(std::make_shared<ompl::base::ScopedState<>>(si)), courses_(coursesOf(jumps, lattice))
     {
-        for (std::size_t k = 0; k < jumps.size(); ++k)
-        {
-            const Point d = lattice.centre(jumps.offset(k).offset) - lattice.centre({0, 0});
-            courses_.push_back(std::atan2(d.y(), d.x()));
-        }
     }
 
     void useRings(int) {}
@@ -83,9 +78,9 @@ private:
     Guidance guidance_;
     Point start_;
     Point goal_;
-    std::vector<double> courses_;  // of the jumps
     std::shared_ptr<ompl::base::ScopedState<>> from_;
     std::shared_ptr<ompl::base::ScopedState<>> to_;
+    std::vector<double> courses_;  // of the jumps
 };
 
 }  // namespace seahex

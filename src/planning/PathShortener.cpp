@@ -1,6 +1,6 @@
 #include "planning/PathShortener.h"
 
-#include "planning/QueryParts.h"
+#include "planning/Courses.h"
 #include "seahex/planning/RouteFromPath.h"
 #include "seahex/route/RouteSmoother.h"
 #include "seahex/world/SegmentValidity.h"

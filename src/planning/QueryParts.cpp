@@ -5,7 +5,6 @@
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
-#include <cmath>
 #include <typeinfo>
 
 namespace ob = ompl::base;
@@ -27,11 +26,6 @@ std::optional<LengthMetric> lengthMetric(const LatticeQuestion &question)
 }
 
 }  // namespace
-
-double courseBetween(const Point &a, const Point &b)
-{
-    return std::atan2(b.y() - a.y(), b.x() - a.x());
-}
 
 QueryParts::QueryParts(const LatticeQuestion &q)
     : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)),

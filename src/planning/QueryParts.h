@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/Courses.h"
 #include "planning/LatticeQuery.h"
 #include "planning/MotionCache.h"
 #include "seahex/planning/PlanarEmbedding.h"
@@ -76,8 +77,5 @@ private:
     std::vector<HexCoord> around_ = {{0, 0}};  // cells to join, relative to a state's own
     std::size_t tried_ = 0;
 };
-
-/// The course from one point to another, radians.
-double courseBetween(const Point &a, const Point &b);
 
 }  // namespace seahex
