@@ -36,7 +36,7 @@ void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<con
     isInStep_ = false;
     query_.reset();
     latticePath_.reset();
-    board_.lowerBound = leastCost().value();
+    board_.lowerBound = ground_.objective->betterCost(leastCost(), bestCost_).value();
 }
 
 void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
@@ -81,14 +81,13 @@ bool AnytimeSearch::compareDirectly(const ob::PlannerTerminationCondition &stop)
     {
         return ground_.lattice.cellAt(embedding.position(state));
     };
-    int motions = 0;
     for (; comparedPairs_ < starts_.size() * goals_.size(); ++comparedPairs_)
     {
         const ob::State *start = starts_[comparedPairs_ / goals_.size()];
         const ob::State *goal = goals_[comparedPairs_ % goals_.size()];
         if (cellOf(start) != cellOf(goal))
             continue;
-        if (++motions % 8 == 0 && stop)
+        if (stop)
             return false;
         if (!ground_.si->checkMotion(start, goal))
             continue;
@@ -143,7 +142,10 @@ bool AnytimeSearch::shorten(const ob::PlannerTerminationCondition &stop)
 {
     if (!latticePath_)
         return true;
-    const PathShortener::Result result = shortener_.shorten(*latticePath_, stop);
+    if (!isInStep_)
+        shortener_.begin(latticePath_);
+    isInStep_ = true;
+    const PathShortener::Result result = shortener_.work(stop);
     if (result.path)
         offer(result.path);
     return result.isFinished;

@@ -26,15 +26,18 @@ public:
     }
 
     bool hasStart() const override { return !parts_->starts.empty(); }
-    bool hasGoal() const override { return !parts_->goals.empty(); }
+    bool hasGoal() const override { return !parts_->joinedGoals.empty(); }
     SearchCounters counters() const override { return search_.counters(); }
 
     void useRings(int rings) override
     {
         rings_ = rings;
         graph_.useRings(rings);
-        if (joined_)
-            beginAnew();
+        if (!joined_)
+            return;
+        parts_->restore();
+        graph_.setGoals(parts_->goalCells());
+        beginAnew();
     }
 
     SearchStatus run(const ompl::base::PlannerTerminationCondition &stop) override
@@ -44,6 +47,8 @@ public:
         if (!joined_ && !join())
             return SearchStatus::Stopped;
         if (!hasStart() || !hasGoal())
+            return SearchStatus::Exhausted;
+        if (parts_->goals.empty())
             return SearchStatus::Exhausted;
         const SearchStatus status = parts_->cache ? runAsking() : runReading(stop);
         publish();
@@ -57,7 +62,8 @@ public:
             return nullptr;
         auto path = pathThrough(cells);
         const Joint &last = parts_->best(parts_->goals, parts_->layout.cell(cells.back()));
-        if (!parts_->coincide(last.state, last.cell))
+        // a path of one state would have no motion, and for costs that are minima no cost either
+        if (!parts_->coincide(last.state, last.cell) || path->getStateCount() == 1)
             path->append(last.state);
         return path;
     }
@@ -189,6 +195,8 @@ private:
             if (verdict != Verdict::Mended)
                 return verdict == Verdict::Sound ? SearchStatus::Found : SearchStatus::Stopped;
             beginAnew();
+            if (parts_->goals.empty())
+                return SearchStatus::Exhausted;
         }
     }
 

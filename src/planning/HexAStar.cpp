@@ -118,6 +118,7 @@ void HexAStar::setDirect(bool direct)
 {
     direct_ = direct;
     forgetSearch();
+    setup_ = false;
 }
 
 void HexAStar::setCellSize(double pitch)
@@ -143,6 +144,8 @@ void HexAStar::setup()
     chart_ = sharedOccupancy(*si_);
     occupancy_ = chart_ ? withinBounds(chart_, embedding.bounds()) : nullptr;
     lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(embedding, requestedCellSize_);
+    if (occupancy_ && !direct_)
+        requireAskable(*lattice_);
     if (!pdef_)
         return;
     problemObjective_ = pdef_->getOptimizationObjective();
@@ -202,7 +205,15 @@ ob::PlannerStatus HexAStar::solve(const ob::PlannerTerminationCondition &ptc)
 
     if (search_ && search_->best())
         improvements_.push_back({0.0, search_->bestCost().value()});
-    outcome_ = plan(ptc);
+    try
+    {
+        outcome_ = plan(ptc);
+    }
+    catch (...)
+    {
+        clear();  // an expansion that was cut short by the user's code would be missing from the search
+        throw;
+    }
     if (search_)
     {
         counters_ = search_->query() != nullptr ? search_->query()->counters() : SearchCounters{};
@@ -271,8 +282,9 @@ ob::PlannerStatus HexAStar::tell()
     const auto towardsGoal = approximate_ && search_ ? search_->towardsGoal() : nullptr;
     if (!towardsGoal)
         return ob::PlannerStatus::TIMEOUT;
-    addSolution(*towardsGoal, true);
-    return ob::PlannerStatus::APPROXIMATE_SOLUTION;
+    const bool isExact = pdef_->getGoal()->isSatisfied(towardsGoal->getStates().back());
+    addSolution(*towardsGoal, !isExact);
+    return isExact ? ob::PlannerStatus::EXACT_SOLUTION : ob::PlannerStatus::APPROXIMATE_SOLUTION;
 }
 
 void HexAStar::addSolution(const og::PathGeometric &path, bool isApproximate)
@@ -298,11 +310,8 @@ void HexAStar::getPlannerData(ob::PlannerData &data) const
         return;
     if (search_->query() != nullptr)
         tree_->write(*search_->query(), *objective_, data);
-    if (!search_->best())
-        return;
-    std::vector<const ob::State *> ends(ends_->starts().begin(), ends_->starts().end());
-    ends.insert(ends.end(), ends_->goals().begin(), ends_->goals().end());
-    tree_->write(*search_->best(), ends, *lattice_, *objective_, data);
+    if (search_->best())
+        tree_->write(*search_->best(), *ends_, *lattice_, *objective_, data);
 }
 
 }  // namespace seahex

@@ -40,11 +40,13 @@ public:
         std::uint64_t valid = 0;
     };
 
+    /// @param isChart  cells whose centre lies outside the space's bounds are left out, so no jump may touch them
     MotionCache(const ompl::base::SpaceInformationPtr &si, const PlanarEmbedding &embedding, const HexLattice &lattice,
-                const CellLayout &layout, const HexJumps &jumps)
+                const CellLayout &layout, const HexJumps &jumps, bool isChart)
         : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps),
-          bounds_(embedding.bounds()), cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown),
-          from_(si), to_(si)
+          bounds_(embedding.bounds()),
+          isCut_(isChart && !(bounds_.contains(lattice.bounds().min) && bounds_.contains(lattice.bounds().max))),
+          cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown), from_(si), to_(si)
     {
     }
 
@@ -83,8 +85,9 @@ public:
         {
             if (interrupted())
                 return Answer::Interrupted;
-            const bool isValid = isCellUsable(to) && motion(lattice_.centre(layout_.cell(from)), heading,
-                                                            lattice_.centre(layout_.cell(to)));
+            const bool isValid =
+                isCellUsable(to) && isWithinBounds(from, jump) &&
+                motion(lattice_.centre(layout_.cell(from)), heading, lattice_.centre(layout_.cell(to)));
             if (embedding_.hasHeading())
                 return isValid ? Answer::Valid : Answer::Invalid;
             known = isValid ? valid : invalid;
@@ -94,10 +97,20 @@ public:
         return known == valid ? Answer::Valid : Answer::Invalid;
     }
 
-    /// Declares a jump invalid for good.
+    /// Declares a jump invalid, whatever the yaw.
     void forbid(CellIndex from, std::size_t jump)
     {
-        motions_[from * jumps_.size() + jump] = invalid;
+        forbidden_.push_back(from * jumps_.size() + jump);
+        motions_[forbidden_.back()] = invalid;
+        unfinished_.clear();
+    }
+
+    /// Takes all of that back.
+    void allowAll()
+    {
+        for (const std::size_t motion : forbidden_)
+            motions_[motion] = unknown;
+        forbidden_.clear();
         unfinished_.clear();
     }
 
@@ -150,10 +163,26 @@ private:
         return o.row >= 0 && o.row < layout_.rows() && o.column >= 0 && o.column < layout_.columns();
     }
 
+    bool isWithinBounds(CellIndex from, std::size_t jump) const
+    {
+        if (!isCut_)
+            return true;
+        const Jump &entry = jumps_.from(jumps_.parity(from))[jump];
+        for (std::uint16_t t = entry.firstTouch; t < entry.endTouch; ++t)
+        {
+            const auto touched = static_cast<CellIndex>(static_cast<std::int64_t>(from) + jumps_.touched()[t]);
+            if (!bounds_.contains(lattice_.centre(layout_.cell(touched))))
+                return false;
+        }
+        return true;
+    }
+
     bool motion(const Point &a, double heading, const Point &b)
     {
         embedding_.place(from_.get(), a, heading);
         embedding_.place(to_.get(), b, courseBetween(a, b));
+        // a motion may be many calls of the user's checker
+        questions_ += si_->getStateSpace()->validSegmentCount(from_.get(), to_.get());
         return (!embedding_.hasHeading() || ask(si_->isValid(to_.get()))) &&
                ask(si_->checkMotion(from_.get(), to_.get()));
     }
@@ -164,9 +193,11 @@ private:
     CellLayout layout_;
     const HexJumps &jumps_;
     Box bounds_;
+    bool isCut_;  // a jump may touch cells outside the bounds
     std::vector<std::uint8_t> cells_;
     std::vector<std::uint8_t> motions_;
     std::map<CellIndex, Answers> unfinished_;
+    std::vector<std::size_t> forbidden_;
     ompl::base::ScopedState<> from_;
     ompl::base::ScopedState<> to_;
     const ompl::base::PlannerTerminationCondition *condition_ = nullptr;

@@ -17,27 +17,6 @@ namespace og = ompl::geometric;
 namespace seahex
 {
 
-/// Counts the questions that may still be asked before the condition has to be looked at.
-class PathShortener::Budget
-{
-public:
-    explicit Budget(const ob::PlannerTerminationCondition &stop) : stop_(stop), isOver_(stop()) {}
-
-    /// To be called before each question. @return false if no more may be asked
-    bool ask()
-    {
-        if (!isOver_ && ++asked_ % 14 == 0)  // two or three questions of the problem's code at a time
-            isOver_ = stop_();
-        return !isOver_;
-    }
-    bool isOver() const { return isOver_; }
-
-private:
-    const ob::PlannerTerminationCondition &stop_;
-    unsigned int asked_ = 0;
-    bool isOver_;
-};
-
 PathShortener::PathShortener(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
                              std::shared_ptr<const HexOccupancy> chart, double pitch)
     : si_(std::move(si)), objective_(std::move(objective)), chart_(std::move(chart)), pitch_(pitch),
@@ -45,38 +24,57 @@ PathShortener::PathShortener(ob::SpaceInformationPtr si, ob::OptimizationObjecti
 {
 }
 
-PathShortener::Result PathShortener::shorten(const og::PathGeometric &path,
-                                             const ob::PlannerTerminationCondition &stop) const
+void PathShortener::begin(std::shared_ptr<Path> path)
 {
-    if (path.getStateCount() < 3)
+    path_ = std::move(path);
+    answers_.clear();
+}
+
+PathShortener::Result PathShortener::work(const ob::PlannerTerminationCondition &stop)
+{
+    if (path_->getStateCount() < 3)
         return {nullptr, true};
-    Budget budget(stop);
+    Questions questions(answers_, stop);
     const ob::OptimizationObjective &objective = *objective_;
     const bool isPlaneLength = typeid(objective) == typeid(ob::PathLengthOptimizationObjective) &&
                                !embedding_.hasHeading() && embedding_.lattice() == nullptr;
-    auto shorter = isPlaneLength ? pulledTaut(path, budget) : withShortcuts(path, budget);
-    if (shorter && !objective_->isCostBetterThan(shorter->cost(objective_), path.cost(objective_)))
+    auto shorter = isPlaneLength ? pulledTaut(questions) : nullptr;
+    if (!shorter)
+        shorter = withShortcuts(questions);
+    if (shorter && !objective_->isCostBetterThan(shorter->cost(objective_), path_->cost(objective_)))
         shorter.reset();
-    return {std::move(shorter), !budget.isOver()};
+    return {std::move(shorter), !questions.isOver()};
 }
 
-std::shared_ptr<og::PathGeometric> PathShortener::pulledTaut(const og::PathGeometric &path, Budget &budget) const
+bool PathShortener::isMotionValid(Questions &questions, const ob::State *a, const ob::State *b) const
+{
+    if (chart_ && !embedding_.hasHeading())
+        return questions.ask(1, [&] { return isFree(*chart_, embedding_.position(a), embedding_.position(b)); });
+    return questions.ask(si_->getStateSpace()->validSegmentCount(a, b) + (embedding_.hasHeading() ? 1 : 0),
+                         [&] { return (!embedding_.hasHeading() || si_->isValid(b)) && si_->checkMotion(a, b); });
+}
+
+std::shared_ptr<og::PathGeometric> PathShortener::pulledTaut(Questions &questions) const
 {
     ob::ScopedState<> from(si_);
     ob::ScopedState<> to(si_);
     const auto isValid = [&](const Point &a, const Point &b)
     {
-        if (!budget.ask())
-            return false;  // no more may be pulled; what is left stays as it is
-        if (chart_)
-            return isFree(*chart_, a, b);
         embedding_.place(from.get(), a);
         embedding_.place(to.get(), b);
-        return si_->checkMotion(from.get(), to.get());
+        return isMotionValid(questions, from.get(), to.get());
     };
-    const Route pulled = pullString(routeFromPath(path), isValid, 0.5 * pitch_);
-    auto result = std::make_shared<og::PathGeometric>(si_);
-    for (const Point &waypoint : pulled.waypoints())
+    const Route pulled = pullString(routeFromPath(*path_), isValid, 0.5 * pitch_);
+    if (questions.isOver() && !chart_)
+        return nullptr;
+    // Parts of valid motions need not be valid where a checker samples, nor motions back where they were asked for
+    // there.
+    const std::vector<Point> &points = pulled.waypoints();
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (chart_ ? !isFree(*chart_, points[i - 1], points[i]) : !isValid(points[i - 1], points[i]))
+            return nullptr;
+    auto result = std::make_shared<Path>(si_);
+    for (const Point &waypoint : points)
     {
         embedding_.place(from.get(), waypoint);
         result->append(from.get());
@@ -84,21 +82,19 @@ std::shared_ptr<og::PathGeometric> PathShortener::pulledTaut(const og::PathGeome
     return result;
 }
 
-std::shared_ptr<og::PathGeometric> PathShortener::withShortcuts(const og::PathGeometric &path, Budget &budget) const
+std::shared_ptr<og::PathGeometric> PathShortener::withShortcuts(Questions &questions) const
 {
     std::vector<const ob::State *> states;
-    for (std::size_t i = 0; i < path.getStateCount(); ++i)
-        states.push_back(path.getState(static_cast<unsigned int>(i)));
+    for (std::size_t i = 0; i < path_->getStateCount(); ++i)
+        states.push_back(path_->getState(static_cast<unsigned int>(i)));
     const std::size_t last = states.size() - 1;
-    auto result = std::make_shared<og::PathGeometric>(si_, states.front());
+    auto result = std::make_shared<Path>(si_, states.front());
     ob::ScopedState<> candidate(si_);
 
     // Is the motion from the last state kept, states[from] as it has become, to states[to] valid and no worse? Leaves
     // the state that would be kept in `candidate`.
     const auto canSkip = [&](std::size_t from, std::size_t to)
     {
-        if (!budget.ask())
-            return false;
         const ob::State *kept = result->getStates().back();
         si_->copyState(candidate.get(), states[to]);
         if (embedding_.hasHeading() && to < last)
@@ -115,7 +111,7 @@ std::shared_ptr<og::PathGeometric> PathShortener::withShortcuts(const og::PathGe
             if (objective_->isCostBetterThan(replaced, objective_->motionCost(kept, candidate.get())))
                 return false;
         }
-        return (!embedding_.hasHeading() || si_->isValid(candidate.get())) && si_->checkMotion(kept, candidate.get());
+        return isMotionValid(questions, kept, candidate.get());
     };
 
     for (std::size_t from = 0; from < last;)

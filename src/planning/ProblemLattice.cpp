@@ -17,7 +17,7 @@ namespace seahex
 namespace
 {
 
-constexpr std::int64_t mostCells = 1000000;
+constexpr std::int64_t mostCells = 1000000;  // of a lattice of our own
 
 /// The object as exactly this class; nullptr if it is of another, derived ones included.
 template <class Class, class Base>
@@ -26,13 +26,33 @@ const Class *exactly(const Base *object)
     return object != nullptr && typeid(*object) == typeid(Class) ? static_cast<const Class *>(object) : nullptr;
 }
 
+/// The tolerance of points on cells grows with their coordinates. True where it is small against a cell, so that the
+/// motion validator and the integers of the lattice say the same.
+bool isExact(const HexLattice &lattice)
+{
+    const Box box = lattice.bounds();
+    constexpr double farthest = 1e7;  // pitches: a tolerance of a 100th
+    return box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff() <= farthest * lattice.pitch();
+}
+
 }  // namespace
+
+void requireAskable(const HexLattice &lattice)
+{
+    constexpr std::int64_t mostAskable = 10000000;
+    if (lattice.cellCount() > mostAskable)
+        throw ompl::Exception("HexAStar", "the lattice has " + std::to_string(lattice.cellCount()) +
+                                              " cells; where the problem's own checker is asked, at most " +
+                                              std::to_string(mostAskable) + " are allowed");
+}
 
 std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &si)
 {
     const auto *checker = exactly<OccupancyValidityChecker>(si.getStateValidityChecker().get());
     const auto *validator = exactly<OccupancyMotionValidator>(si.getMotionValidator().get());
     if (checker == nullptr || validator == nullptr || checker->occupancy() != validator->occupancy())
+        return nullptr;
+    if (!isExact(checker->occupancy()->lattice()))
         return nullptr;
     const HexLattice *cells = PlanarEmbedding(si.getStateSpace().get()).lattice();
     if (cells != nullptr && !(*cells == checker->occupancy()->lattice()))
@@ -71,7 +91,10 @@ std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const Hex
 HexLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize)
 {
     if (embedding.lattice() != nullptr)
+    {
+        requireAskable(*embedding.lattice());
         return *embedding.lattice();
+    }
     const Box bounds = embedding.bounds();
     const Point extent = bounds.max - bounds.min;
     const double pitch = requestedCellSize > 0.0 ? requestedCellSize : extent.maxCoeff() / 200.0;

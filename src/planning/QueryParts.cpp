@@ -33,7 +33,7 @@ QueryParts::QueryParts(const LatticeQuestion &q)
       jumps(layout, q.rings, q.allJumps || !metric ? JumpSet::All : JumpSet::Primitive), scratch_(q.si)
 {
     if (!q.occupancy || !q.direct)
-        cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps);
+        cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps, q.occupancy != nullptr);
     if (!q.occupancy && embedding.lattice() == nullptr)
         for (const RingOffset &offset : ringOffsets(1))
             around_.push_back(offset.offset);
@@ -51,9 +51,17 @@ bool QueryParts::join()
         const HexCoord own = question.lattice.cellAt(embedding.position(state));
         tryJoin(state, own + around_[tried_ % around_.size()], isStart);
     }
+    goals = joinedGoals;
     for (const Joint &joint : starts)
         startHeadings[layout.index(joint.cell)] = jointHeading(best(starts, joint.cell).state, joint.cell, true);
     return true;
+}
+
+void QueryParts::restore()
+{
+    goals = joinedGoals;
+    if (cache)
+        cache->allowAll();
 }
 
 double QueryParts::jointHeading(const ob::State *state, HexCoord cell, bool isStart) const
@@ -118,7 +126,7 @@ void QueryParts::placeCentre(const ob::State *state, HexCoord cell, bool isStart
 
 void QueryParts::add(const ob::State *state, HexCoord cell, bool isStart)
 {
-    (isStart ? starts : goals).push_back({cell, jointCost(state, cell, isStart), state});
+    (isStart ? starts : joinedGoals).push_back({cell, jointCost(state, cell, isStart), state});
 }
 
 double QueryParts::jointCost(const ob::State *state, HexCoord cell, bool isStart)

@@ -46,8 +46,11 @@ public:
     /// The cheapest of the joints to a cell, of which there must be one.
     const Joint &best(const std::vector<Joint> &joints, HexCoord cell) const;
 
-    /// Forgets the cheapest joint of a goal to a cell.
+    /// Leaves the cheapest joint of a goal to a cell out, because of the yaw with which the cell was reached.
     void dropGoal(HexCoord cell) { goals.erase(goals.begin() + (&best(goals, cell) - goals.data())); }
+
+    /// Takes back what was left out, for a search in which cells may be reached with other yaws.
+    void restore();
 
     std::vector<GoalCell> goalCells() const;
 
@@ -64,7 +67,8 @@ public:
     const HexJumps jumps;
     std::unique_ptr<MotionCache> cache;  ///< where the problem is asked, not read
     std::vector<Joint> starts;
-    std::vector<Joint> goals;
+    std::vector<Joint> goals;  ///< less those that were dropped
+    std::vector<Joint> joinedGoals;
     std::map<CellIndex, double> startHeadings;
 
 private:

@@ -2,6 +2,7 @@
 
 #include "seahex/planning/HexAStar.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -89,30 +90,36 @@ void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjectiv
     query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.cell), vertex.goal); });
 }
 
-void SearchTree::write(const og::PathGeometric &path, const std::vector<const ob::State *> &ends,
-                       const HexLattice &lattice, const ob::OptimizationObjective &objective,
-                       ob::PlannerData &data) const
+void SearchTree::write(const og::PathGeometric &path, const EndStates &ends, const HexLattice &lattice,
+                       const ob::OptimizationObjective &objective, ob::PlannerData &data) const
 {
     const ob::StateSpace &space = *si_->getStateSpace();
-    const auto vertexOf = [&](const ob::State *state)
+    const auto equalOf = [&](const std::vector<ob::State *> &states, const ob::State *state)
     {
-        for (const ob::State *end : ends)
-            if (space.equalStates(end, state))
-                return end;
+        const auto equal = std::find_if(states.begin(), states.end(),
+                                        [&](const ob::State *end) { return space.equalStates(end, state); });
+        return equal == states.end() ? state : *equal;
+    };
+    const auto vertexOf = [&](std::size_t i)
+    {
+        const ob::State *state = path.getState(static_cast<unsigned int>(i));
+        if (i == 0)
+            return equalOf(ends.starts(), state);
+        if (i + 1 == path.getStateCount())
+            return equalOf(ends.goals(), state);
         const ob::State *centre = find(lattice.cellAt(embedding_.position(state)));
         return centre != nullptr && space.equalStates(centre, state) ? centre : state;
     };
     const ob::State *before = nullptr;
     for (std::size_t i = 0; i < path.getStateCount(); ++i)
     {
-        const ob::State *state = vertexOf(path.getState(static_cast<unsigned int>(i)));
+        const ob::State *state = vertexOf(i);
         const ob::PlannerDataVertex vertex = tagged(state, PlannerDataTag::Solution);
         if (i == 0)
             data.addStartVertex(vertex);
-        else if (i + 1 == path.getStateCount())
+        if (i + 1 == path.getStateCount())
             data.addGoalVertex(vertex);
-        else
-            data.addVertex(vertex);
+        data.addVertex(vertex);
         data.tagState(state, static_cast<int>(PlannerDataTag::Solution));
         if (before != nullptr && before != state)
             data.addEdge(data.vertexIndex(ob::PlannerDataVertex(before)), data.vertexIndex(vertex),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/EndStates.h"
 #include "planning/LatticeQuery.h"
 #include "seahex/planning/PlanarEmbedding.h"
 
@@ -31,9 +32,8 @@ public:
 
     /// Adds a path, whose states must live on; those that are vertices already are not added again.
     /// @param ends  the starts and goals of the problem
-    void write(const ompl::geometric::PathGeometric &path, const std::vector<const ompl::base::State *> &ends,
-               const HexLattice &lattice, const ompl::base::OptimizationObjective &objective,
-               ompl::base::PlannerData &data) const;
+    void write(const ompl::geometric::PathGeometric &path, const EndStates &ends, const HexLattice &lattice,
+               const ompl::base::OptimizationObjective &objective, ompl::base::PlannerData &data) const;
 
     void clear();
 

@@ -48,9 +48,20 @@ struct RandomBay
 {
     explicit RandomBay(Random &random, SpaceKind kind = SpaceKind::Plane)
         : occupancy(randomOccupancy(random, HexLattice(Point(0, 0), 1.0, 14, 12), random.real(0.0, 0.4))),
-          si(chartSpace(occupancy, kind)),
+          si(chartSpace(occupancy, kind, boundsOf(random))),
           problem(problemBetween(si, freePoint(random, *occupancy), freePoint(random, *occupancy)))
     {
+    }
+
+    /// Those of the lattice, or narrower.
+    Box boundsOf(Random &random) const
+    {
+        Box box = occupancy->lattice().bounds();
+        if (random.chance(0.3))
+            box.min += Point(random.real(0, 2), random.real(0, 2));
+        if (random.chance(0.3))
+            box.max -= Point(random.real(0, 2), random.real(0, 2));
+        return box;
     }
 
     std::shared_ptr<const HexOccupancy> occupancy;

@@ -22,12 +22,12 @@ class EndStates;
 class SearchTree;
 struct ProgressBoard;
 
-/// How the last solve() of a lattice planner ended. PlannerStatus has no word for an exhausted lattice before OMPL 1.6.
+/// How the last solve() of a lattice planner ended. OMPL 1.5's PlannerStatus has no word for an exhausted lattice.
 enum class PlanningOutcome
 {
     None,          ///< not asked yet
     Found,         ///< a path, and all that the settings ask for is done
-    Improvable,    ///< a path, but stopped before that; solve() again may find a better one
+    Improvable,    ///< a path, but ended before that, by the termination condition or the objective's threshold
     Exhausted,     ///< no path at this cell size; a finer lattice may have one
     OutOfTime,     ///< stopped by the termination condition; solve() again continues
     InvalidStart,  ///< no start is valid and joined to a cell
@@ -84,7 +84,8 @@ struct Improvement
 /// **Status.** EXACT_SOLUTION; APPROXIMATE_SOLUTION if asked for (setApproximate); INVALID_START, INVALID_GOAL,
 /// UNRECOGNIZED_GOAL_TYPE (not sampleable); else TIMEOUT, also for an exhausted search, since "no path" holds for this
 /// cell size only; ask outcome(). The termination condition is looked at every 500 expansions, and every 16 calls of a
-/// user's checker or validator.
+/// user's checker, or after each motion where one takes more of them. An exception of the user's code clears the
+/// planner and passes through.
 ///
 /// **Progress properties**, safe to read from any thread at any time: "best cost REAL", "lower bound REAL" (no path
 /// that this planner may yet return is cheaper: the search's own bound where smoothing is off, the objective's
@@ -96,7 +97,8 @@ public:
     explicit HexAStar(const ompl::base::SpaceInformationPtr &si);
     ~HexAStar() override;
 
-    /// @throws ompl::Exception if the lattice of a problem with no chart would have more than 10^6 cells
+    /// @throws ompl::Exception if the lattice of a problem with no chart would have more than 10^6 cells, or a
+    /// HexStateSpace that must be asked, or a chart with setDirect(false), has more than 10^7
     void setup() override;
     void clear() override;
     /// Clears the planner if the problem is another one.
@@ -135,7 +137,7 @@ public:
     bool getAllJumps() const { return allJumps_; }
 
     /// Read the occupancy behind a chart's checker, or ask the checker and motion validator as for any other problem:
-    /// slower, with the same result. On by default.
+    /// slower, with up to 37 bytes a cell to keep the answers, and the same result. On by default.
     void setDirect(bool direct);
     bool getDirect() const { return direct_; }
 

@@ -15,8 +15,7 @@ namespace seahex
 /// - the heuristic is the weighted sum of the parts' (admissibleHeuristic), where OMPL says identity, which leaves BIT*
 ///   and informed samplers with nothing;
 /// - it is symmetric if every part with a weight is, where OMPL asks the space alone, and RRT*, which takes that for
-/// granted,
-///   reports costs that are not its path's.
+///   granted, reports costs that are not its path's.
 /// Operators + and * make OMPL's own class again.
 ///
 /// Weights must not be negative, and the parts' costs must add up, for the heuristic to say anything. Thread-safe if

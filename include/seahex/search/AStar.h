@@ -29,14 +29,18 @@ enum class SearchStatus
 ///         calls relax(successor, jump, cost) for every valid jump from the cell; jump < 255 names the way there;
 ///         false if it was interrupted and wants to be called again for the same cell
 ///     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const
-///     double bound(CellIndex cell) const       lower bound of the cost from the cell to a goal
-///     double tie(CellIndex cell, double bound) const   among cells of equal estimate the smallest is expanded first
-///     double finish(CellIndex cell) const      cost of ending in this cell; not better than worst() where it is no
-///     goal double combine(double, double) const, bool better(double, double) const, double worst() const
+///     double bound(CellIndex cell) const
+///         lower bound of the cost from the cell to a goal
+///     double tie(CellIndex cell, double bound) const
+///         among cells of equal estimate the smallest is expanded first
+///     double finish(CellIndex cell) const
+///         cost of ending in this cell; not better than worst() where it is no goal
+///     double combine(double, double) const, bool better(double, double) const, double worst() const
 ///         the algebra of costs; for lengths: sum, less, infinity
-///     bool improves(double cost, double known) const   better by more than rounding
-///     double key(double estimate) const        the estimate, or a slightly better one that makes equal costs compare
-///     equal
+///     bool improves(double cost, double known) const
+///         better by more than rounding
+///     double key(double estimate) const
+///         the estimate, or a slightly better one that makes equal costs compare equal
 ///
 /// Optimal if bound() never overestimates; where it is inconsistent, closed cells are reopened. Where it overestimates,
 /// the path is valid but may not be the best.

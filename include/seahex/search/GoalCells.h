@@ -19,9 +19,11 @@ struct GoalCell
 /// The goal's side of a lattice graph: the bound, tie-break and finish that AStar asks for, for any number of goal
 /// cells. What a cell is away from one of them is said by `Weight`, from which this class derives:
 ///
-///     double bound(HexCoord cell, const GoalCell &) const   lower bound of the cost from a cell to a goal, finish
-///     included double tie(HexCoord cell, double bound) const the algebra of costs (combine, better, improves, worst,
-///     key)
+///     double bound(HexCoord cell, const GoalCell &) const
+///         lower bound of the cost from a cell to a goal, finish included
+///     double tie(HexCoord cell, double bound) const
+///
+/// and the algebra of costs: combine, better, improves, worst, key.
 template <class Weight>
 class GoalCells : public Weight
 {
