@@ -1,6 +1,7 @@
 #include "seahex/planning/ClearanceObjective.h"
 
 #include "planning/LineIntegral.h"
+#include "planning/UpperBoundSampler.h"
 
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/util/Exception.h>
@@ -55,6 +56,12 @@ ob::Cost ClearanceObjective::motionCost(const ob::State *s1, const ob::State *s2
 ob::Cost ClearanceObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const
 {
     return ob::Cost(straightLengthBound(embedding_.position(s1), embedding_.position(s2)));
+}
+
+ob::InformedSamplerPtr ClearanceObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr &problem,
+                                                                     unsigned int maxNumberCalls) const
+{
+    return std::make_shared<UpperBoundSampler>(problem, maxNumberCalls);
 }
 
 }  // namespace seahex

@@ -1,5 +1,6 @@
 #include "seahex/planning/LatticeLengthObjective.h"
 
+#include "planning/UpperBoundSampler.h"
 #include "seahex/geometry/HexNorm.h"
 
 #include <ompl/base/SpaceInformation.h>
@@ -30,6 +31,12 @@ ob::Cost LatticeLengthObjective::motionCostHeuristic(const ob::State *s1, const 
     // The pieces of a line may add up to less than the whole by rounding; a heuristic above the cost breaks BIT*.
     constexpr double rounding = 1e-9;
     return ob::Cost(motionCost(s1, s2).value() * (1.0 - rounding));
+}
+
+ob::InformedSamplerPtr LatticeLengthObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr &problem,
+                                                                         unsigned int maxNumberCalls) const
+{
+    return std::make_shared<UpperBoundSampler>(problem, maxNumberCalls);
 }
 
 }  // namespace seahex

@@ -1,6 +1,7 @@
 #include "seahex/planning/SafetyWeightObjective.h"
 
 #include "planning/LineIntegral.h"
+#include "planning/UpperBoundSampler.h"
 
 #include <ompl/base/SpaceInformation.h>
 
@@ -33,6 +34,12 @@ ob::Cost SafetyWeightObjective::motionCost(const ob::State *s1, const ob::State 
 ob::Cost SafetyWeightObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const
 {
     return ob::Cost(straightLengthBound(embedding_.position(s1), embedding_.position(s2)));
+}
+
+ob::InformedSamplerPtr SafetyWeightObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr &problem,
+                                                                        unsigned int maxNumberCalls) const
+{
+    return std::make_shared<UpperBoundSampler>(problem, maxNumberCalls);
 }
 
 }  // namespace seahex

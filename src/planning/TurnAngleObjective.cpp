@@ -1,6 +1,7 @@
 #include "seahex/planning/TurnAngleObjective.h"
 
 #include "planning/MotionTurns.h"
+#include "planning/UpperBoundSampler.h"
 
 #include <ompl/base/SpaceInformation.h>
 
@@ -41,6 +42,12 @@ ob::Cost TurnAngleObjective::motionCostHeuristic(const ob::State *s1, const ob::
 {
     constexpr double rounding = 1e-9;
     return ob::Cost(std::max(motionCost(s1, s2).value() - rounding, 0.0));
+}
+
+ob::InformedSamplerPtr TurnAngleObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr &problem,
+                                                                     unsigned int maxNumberCalls) const
+{
+    return std::make_shared<UpperBoundSampler>(problem, maxNumberCalls);
 }
 
 }  // namespace seahex

@@ -1,5 +1,6 @@
 #include "seahex/planning/WeightedSumObjective.h"
 
+#include "planning/UpperBoundSampler.h"
 #include "seahex/planning/AdmissibleHeuristic.h"
 
 namespace ob = ompl::base;
@@ -26,6 +27,12 @@ bool WeightedSumObjective::isSymmetric() const
         if (getObjectiveWeight(i) != 0.0 && !getObjective(i)->isSymmetric())
             return false;
     return true;
+}
+
+ob::InformedSamplerPtr WeightedSumObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr &problem,
+                                                                       unsigned int maxNumberCalls) const
+{
+    return std::make_shared<UpperBoundSampler>(problem, maxNumberCalls);
 }
 
 }  // namespace seahex

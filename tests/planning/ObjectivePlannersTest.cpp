@@ -3,6 +3,7 @@
 
 #include <seahex/planning/AdmissibleHeuristic.h>
 #include <seahex/planning/HexAStar.h>
+#include <seahex/planning/LatticeLengthObjective.h>
 #include <seahex/planning/RouteFromPath.h>
 #include <seahex/planning/TurnAngleObjective.h>
 #include <seahex/planning/TurnCountObjective.h>
@@ -51,7 +52,7 @@ TEST_P(ObjectiveWithPlanners, HexAStarFindsWhatDijkstraFinds)
         const HexCoord last = lattice.cellAt(goal);
         if (first == last)
             continue;
-        const auto si = chartSpace(occupancy);
+        const auto si = chartSpace(occupancy, random.chance(0.7) ? SpaceKind::Plane : SpaceKind::Cells);
         const auto objective = GetParam().make(si, *occupancy);
         const auto problem = problemBetween(si, start, goal);
         problem->setOptimizationObjective(objective);
@@ -122,6 +123,76 @@ void expectHonestCosts(const NamedObjective &named, SpaceKind kind)
 TEST_P(ObjectiveWithPlanners, CostsInThePlaneAreWhatPathsCost)
 {
     expectHonestCosts(GetParam(), SpaceKind::Plane);
+}
+
+TEST_P(ObjectiveWithPlanners, CostsOnCellsAreWhatPathsCost)
+{
+    expectHonestCosts(GetParam(), SpaceKind::Cells);
+}
+
+/// Asks for states as BIT* does: those whose solutions may cost at least what start and goal do, and anything more.
+void expectSamplesWhereASolutionMayPass(const MakeObjective &make, SpaceKind kind)
+{
+    const auto occupancy = occupancyWith(HexLattice(Point(0, 0), 1.0, 20, 20), {});
+    const auto si = chartSpace(occupancy, kind);
+    const auto objective = make(si, *occupancy);
+    // westward, with yaws to the east: two half turns
+    const Point start = occupancy->lattice().centre(toCube({14, 10}));
+    const Point goal = occupancy->lattice().centre(toCube({5, 10}));
+    const auto problem = problemBetween(si, start, goal);
+    problem->setOptimizationObjective(objective);
+    const auto sampler = objective->allocInformedStateSampler(problem, 1000);
+    ob::ScopedState<> state(si);
+    int between = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+        ASSERT_TRUE(sampler->sampleUniform(state.get(), ob::Cost(heuristic(*objective, start, goal)),
+                                           objective->infiniteCost()));
+        const Point p = positionOf(si, state.get());
+        between += p.x() < start.x() && p.x() > goal.x() && std::abs(p.y() - start.y()) < 2.0 ? 1 : 0;
+    }
+    EXPECT_GT(between, 60) << "a tenth of all states";
+}
+
+TEST_P(ObjectiveWithPlanners, SamplesWhereASolutionMayPass)
+{
+    for (const SpaceKind kind : {SpaceKind::Plane, SpaceKind::Pose, SpaceKind::Cells})
+        expectSamplesWhereASolutionMayPass(GetParam().make, kind);
+}
+
+TEST(ObjectiveSampling, OfLatticeLengthAndTurnsToo)
+{
+    expectSamplesWhereASolutionMayPass([](const auto &si, const HexOccupancy &occupancy)
+                                       { return std::make_shared<LatticeLengthObjective>(si, occupancy.lattice()); },
+                                       SpaceKind::Plane);
+    expectSamplesWhereASolutionMayPass(
+        [](const auto &si, const HexOccupancy &) { return std::make_shared<TurnAngleObjective>(si); }, SpaceKind::Pose);
+}
+
+TEST_P(ObjectiveWithPlanners, BitStarGetsAsGoodAsTheLattice)
+{
+    Random random(11);
+    const auto occupancy = randomOccupancy(random, HexLattice(Point(0, 0), 1.0, 16, 16), 0.08);
+    const auto si = chartSpace(occupancy);
+    const auto objective = GetParam().make(si, *occupancy);
+    Point start = freePoint(random, *occupancy);
+    Point goal = freePoint(random, *occupancy);
+    while ((goal - start).norm() < 9.0)
+        goal = freePoint(random, *occupancy);
+    const auto problem = problemBetween(si, start, goal);
+    problem->setOptimizationObjective(objective);
+    ASSERT_EQ(plannerFor(problem)->solve(10.0), ob::PlannerStatus::EXACT_SOLUTION);
+    const double lattice = problem->getSolutionPath()->cost(objective).value();
+    problem->clearSolutionPaths();
+    const std::shared_ptr<ob::Planner> planner = std::make_shared<og::BITstar>(si);
+    planner->setProblemDefinition(problem);
+    const auto isAsGood = [&]
+    {
+        return problem->hasExactSolution() && problem->getSolutionPath()->cost(objective).value() < 1.1 * lattice;
+    };
+    for (int again = 0; again < 60 && !isAsGood(); ++again)
+        planner->solve(0.1);
+    EXPECT_TRUE(isAsGood());
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ObjectiveWithPlanners,

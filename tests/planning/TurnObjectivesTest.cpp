@@ -100,21 +100,23 @@ TEST_F(TurnObjectives, TheWayBackTurnsOtherwise)
 
 TEST_F(TurnObjectives, StatesWithoutHeadingAreRefusedWithAClearSentence)
 {
-    const auto plane = chartSpace(occupancy, SpaceKind::Plane);
-    for (const bool angular : {true, false})
+    const auto refuses = [](auto &&make)
     {
         try
         {
-            if (angular)
-                TurnAngleObjective objective(plane);
-            else
-                TurnCountObjective objective(plane);
-            FAIL() << "states of R^2 have no heading";
+            make();
         }
         catch (const ompl::Exception &error)
         {
-            EXPECT_NE(std::string(error.what()).find("have no heading"), std::string::npos) << error.what();
+            return std::string(error.what()).find("have no heading") != std::string::npos;
         }
+        return false;
+    };
+    for (const SpaceKind kind : {SpaceKind::Plane, SpaceKind::Cells})
+    {
+        const auto without = chartSpace(occupancy, kind);
+        EXPECT_TRUE(refuses([&] { TurnAngleObjective objective(without); }));
+        EXPECT_TRUE(refuses([&] { TurnCountObjective objective(without); }));
     }
 }
 

@@ -35,6 +35,8 @@ public:
     ompl::base::Cost stateCost(const ompl::base::State *state) const override;
     ompl::base::Cost motionCost(const ompl::base::State *s1, const ompl::base::State *s2) const override;
     ompl::base::Cost motionCostHeuristic(const ompl::base::State *s1, const ompl::base::State *s2) const override;
+    ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr &problem,
+                                                             unsigned int maxNumberCalls) const override;
     bool isSymmetric() const override { return true; }
 
     double wantedClearance() const { return wanted_; }

@@ -29,6 +29,8 @@ public:
     explicit WeightedSumObjective(const ompl::base::SpaceInformationPtr &si, const std::vector<Part> &parts = {});
 
     ompl::base::Cost motionCostHeuristic(const ompl::base::State *s1, const ompl::base::State *s2) const override;
+    ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr &problem,
+                                                             unsigned int maxNumberCalls) const override;
     bool isSymmetric() const override;
 };
 
