@@ -1,7 +1,7 @@
 #include "Drawing.h"
 
-#include "Failure.h"
 #include "Report.h"
+#include "common/Failure.h"
 
 #include <seahex/io/Picture.h>
 
@@ -58,7 +58,7 @@ void drawPicture(const Options &options, const Result &result)
     }
     catch (const seahex::PictureError &error)
     {
-        throw Failure(Exit::Usage, error.what());
+        throw demos::Failure(demos::Exit::Usage, error.what());
     }
 }
 

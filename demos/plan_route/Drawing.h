@@ -7,7 +7,7 @@ namespace plan_route
 {
 
 /// Draws the picture of --picture.
-/// @throws Failure (Exit::Usage) if it can't be written
+/// @throws demos::Failure (Exit::Usage) if it can't be written
 void drawPicture(const Options &options, const Result &result);
 
 }  // namespace plan_route

@@ -1,12 +1,11 @@
 #include "Job.h"
 
-#include "Failure.h"
 #include "Navigable.h"
-#include "PlannerCatalogue.h"
 #include "Scenario.h"
+#include "common/Arena.h"
+#include "common/Failure.h"
+#include "common/PlannerCatalogue.h"
 
-#include <seahex/chart/ChartError.h>
-#include <seahex/chart/ChartReader.h>
 #include <seahex/chart/WrittenRouteCheck.h>
 #include <seahex/planning/HexAStar.h>
 #include <seahex/planning/LatticeLengthObjective.h>
@@ -27,6 +26,11 @@ namespace og = ompl::geometric;
 
 namespace plan_route
 {
+
+using demos::Exit;
+using demos::Failure;
+using demos::plain;
+
 namespace
 {
 
@@ -39,86 +43,21 @@ seahex::GeoBox voyageBox(const Options &options)
     return {west - around, south - around, east + around, north + around};
 }
 
-std::shared_ptr<const seahex::Chart> readChart(const Options &options)
-{
-    try
-    {
-        return std::make_shared<const seahex::Chart>(seahex::readChart(options.charts, voyageBox(options)));
-    }
-    catch (const seahex::ChartError &error)
-    {
-        throw Failure(Exit::Chart, error.what());
-    }
-}
-
-std::vector<std::string> warningsOf(const seahex::Chart &chart)
-{
-    std::vector<std::string> warnings;
-    for (const seahex::CellReport &cell : chart.cells)
-        warnings.insert(warnings.end(), cell.warnings.begin(), cell.warnings.end());
-    return warnings;
-}
-
-/// Refuses a pitch that would fill the memory: a search takes up to 10 bytes a cell.
-void checkPitch(const Options &options, const seahex::GeoBox &bounds)
-{
-    constexpr double mostCells = 1e9;
-    if (options.pitch == 0.0)
-        return;
-    double cells = 0.0;
-    if (options.chengScenario)
-        cells = cheng2020::columns * cheng2020::rows * std::pow(cheng2020::publishedPitchDeg() / options.pitch, 2);
-    else
-    {
-        const auto corner = [](double lat, double lon)
-        {
-            return seahex::GeoPoint::fromLatLon(lat, lon);
-        };
-        const double middleDeg = bounds.centre().latitudeDeg();
-        const double width =
-            seahex::rhumbLengthM({{corner(middleDeg, bounds.westDeg), corner(middleDeg, bounds.eastDeg)}});
-        const double height =
-            seahex::rhumbLengthM({{corner(bounds.southDeg, bounds.westDeg), corner(bounds.northDeg, bounds.westDeg)}});
-        cells = (width / options.pitch) * (height / options.pitch) / (0.5 * std::sqrt(3.0));
-    }
-    if (cells > mostCells)
-        throw Failure(Exit::Usage, "--pitch " + plain(options.pitch) + " is too small: it would need " + plain(cells) +
-                                       " cells, and at most " + plain(mostCells) + " are possible");
-}
-
 std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, const seahex::Chart &chart)
 {
-    checkPitch(options, chart.bounds);
     seahex::ArenaOptions arena;
     arena.vessel = options.vessel;
     arena.pitch = options.pitch;
     if (options.chengScenario)
     {
+        if (options.pitch != 0.0)
+            demos::checkCellCount(options.pitch, cheng2020::columns * cheng2020::rows *
+                                                     std::pow(cheng2020::publishedPitchDeg() / options.pitch, 2));
         arena.projection = seahex::Projection::plateCarree();
         arena.lattice = cheng2020::lattice(options.pitch);
         arena.scope = seahex::HazardScope::LandOnly;
     }
-    try
-    {
-        auto made = std::make_shared<const seahex::ChartArena>(chart, arena);
-        const seahex::HexOccupancy &occupancy = *made->occupancy();
-        if (occupancy.blockedCount() == occupancy.lattice().cellCount())
-            throw Failure(Exit::Chart, "the chart has no navigable cell: all " +
-                                           std::to_string(occupancy.blockedCount()) + " cells, " +
-                                           plain(occupancy.lattice().pitch()) +
-                                           (options.chengScenario ? " degrees" : " m") +
-                                           " wide, are blocked for a vessel that needs " +
-                                           plain(options.vessel.requiredDepthM()) + " m of water");
-        return made;
-    }
-    catch (const std::domain_error &error)
-    {
-        throw Failure(Exit::Usage, error.what());
-    }
-    catch (const std::length_error &error)
-    {
-        throw Failure(Exit::Usage, std::string("--pitch is too small: ") + error.what());
-    }
+    return demos::makeArena(chart, arena);
 }
 
 /// OMPL counts nanoseconds in 64 bits: beyond 292 years it would stop at once.
@@ -137,7 +76,7 @@ seahex::Route search(const Options &options, Result &result)
     seahex::useOccupancy(setup, occupancy);
     seahex::setStartAndGoal(setup, result.arena->projection().forward(options.from),
                             result.arena->projection().forward(options.to));
-    const ob::PlannerPtr planner = makePlanner(options.planner, si);
+    const ob::PlannerPtr planner = demos::makePlanner(options.planner, si);
     setup.setPlanner(planner);
     auto *hex = dynamic_cast<seahex::HexAStar *>(planner.get());
     if (hex != nullptr)
@@ -185,7 +124,7 @@ MeasuredRoute measure(const Options &options, const Result &result, const seahex
     return measured;
 }
 
-void planOnChart(const Options &options, Progress &progress, Result &result)
+void planOnChart(const Options &options, demos::Progress &progress, Result &result)
 {
     progress.stage("filling cells");
     result.arena = makeArena(options, *result.chart);
@@ -218,18 +157,18 @@ void planOnChart(const Options &options, Progress &progress, Result &result)
 
 }  // namespace
 
-Result planRoute(const Options &options, Progress &progress)
+Result planRoute(const Options &options, demos::Progress &progress)
 {
     Result result;
     progress.stage("reading the chart");
-    result.chart = readChart(options);
+    result.chart = demos::readChart(options.charts, voyageBox(options));
     try
     {
         planOnChart(options, progress, result);
     }
     catch (Failure &failure)
     {
-        failure.setWarnings(warningsOf(*result.chart));
+        failure.setWarnings(demos::warningsOf(*result.chart));
         throw;
     }
     catch (const seahex::PositionError &error)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Options.h"
-#include "Progress.h"
+#include "common/Progress.h"
 
 #include <seahex/chart/Chart.h>
 #include <seahex/chart/ChartArena.h>
@@ -37,14 +37,14 @@ struct Result
     std::optional<MeasuredRoute> smoothed;
     std::uint64_t expanded = 0;  ///< cells; 0 for planners that have none
     double searchMs = 0.0;
-    bool isImprovable = false;  ///< the time was over before the search was; HexAStar only
+    bool isImprovable = false;             ///< the time was over before the search was; HexAStar only
     std::vector<seahex::CellIndex> trace;  ///< expanded cells in order, if a picture is wanted
 
     const MeasuredRoute &best() const { return smoothed ? *smoothed : raw; }
 };
 
 /// Reads the chart, builds the arena, plans, smooths, measures and checks.
-/// @throws Failure
-Result planRoute(const Options &options, Progress &progress);
+/// @throws demos::Failure
+Result planRoute(const Options &options, demos::Progress &progress);
 
 }  // namespace plan_route

@@ -1,6 +1,6 @@
 #include "Navigable.h"
 
-#include "Failure.h"
+#include "common/Failure.h"
 
 #include <seahex/io/GeoRoute.h>
 #include <seahex/world/Clearance.h>
@@ -56,11 +56,11 @@ seahex::HexCoord navigableCell(const seahex::Chart &chart, const seahex::ChartAr
 {
     const std::string who = role + " " + toString(position);
     if (!chart.bounds.contains(position))
-        throw Failure(Exit::NotNavigable,
-                      who + " lies outside the chart, which covers " +
-                          toString(GeoPoint::fromLatLon(chart.bounds.southDeg, chart.bounds.westDeg)) + " to " +
-                          toString(GeoPoint::fromLatLon(chart.bounds.northDeg, chart.bounds.eastDeg)) +
-                          swappedHint(chart, position));
+        throw demos::Failure(demos::Exit::NotNavigable,
+                             who + " lies outside the chart, which covers " +
+                                 toString(GeoPoint::fromLatLon(chart.bounds.southDeg, chart.bounds.westDeg)) + " to " +
+                                 toString(GeoPoint::fromLatLon(chart.bounds.northDeg, chart.bounds.eastDeg)) +
+                                 swappedHint(chart, position));
     const Point p = arena.projection().forward(position);
     const seahex::HexCoord cell = arena.occupancy()->lattice().cellAt(p);
     if (isFree(*arena.occupancy(), p, p))
@@ -68,15 +68,15 @@ seahex::HexCoord navigableCell(const seahex::Chart &chart, const seahex::ChartAr
 
     const std::vector<std::string> atPoint = arena.explainPoint(p);
     if (!atPoint.empty())
-        throw Failure(Exit::NotNavigable,
-                      who + " is not navigable: " + joined(atPoint) + "; " + nearestNavigable(arena, position, p));
+        throw demos::Failure(demos::Exit::NotNavigable, who + " is not navigable: " + joined(atPoint) + "; " +
+                                                            nearestNavigable(arena, position, p));
     const std::vector<std::string> atCell = arena.explainCell(cell);
-    throw Failure(Exit::NotNavigable,
-                  "the cell around " + who + " is not navigable: " +
-                      (atCell.empty() ? std::string("the position touches the edge of the lattice or of a blocked cell")
-                                      : joined(atCell)) +
-                      "; the position itself is clear, so a finer --pitch may help; " +
-                      nearestNavigable(arena, position, p));
+    throw demos::Failure(
+        demos::Exit::NotNavigable,
+        "the cell around " + who + " is not navigable: " +
+            (atCell.empty() ? std::string("the position touches the edge of the lattice or of a blocked cell")
+                            : joined(atCell)) +
+            "; the position itself is clear, so a finer --pitch may help; " + nearestNavigable(arena, position, p));
 }
 
 }  // namespace plan_route

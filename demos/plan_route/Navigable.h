@@ -11,7 +11,7 @@ namespace plan_route
 
 /// The cell of a position, if a vessel may be there.
 /// @param role  "start" or "goal", for the message
-/// @throws Failure (Exit::NotNavigable) that names the object in the way and the nearest navigable position
+/// @throws demos::Failure (Exit::NotNavigable) that names the object in the way and the nearest navigable position
 seahex::HexCoord navigableCell(const seahex::Chart &chart, const seahex::ChartArena &arena,
                                const seahex::GeoPoint &position, const std::string &role);
 

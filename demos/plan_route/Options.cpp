@@ -1,15 +1,15 @@
 #include "Options.h"
 
-#include "Failure.h"
-#include "PlannerCatalogue.h"
 #include "Scenario.h"
+#include "common/CommandLine.h"
+#include "common/Failure.h"
+#include "common/OwnFiles.h"
+#include "common/PlannerCatalogue.h"
 
 #include <seahex/io/PositionParser.h>
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 
 namespace plan_route
@@ -35,7 +35,6 @@ struct Texts
 {
     std::string from;
     std::string to;
-    std::string pitch = "auto";
     std::string guidance;
     std::string metric;
     std::string scenario;
@@ -45,27 +44,11 @@ struct Texts
 void declare(CLI::App &app, Options &o, Texts &t)
 {
     app.footer(footer);
-    app.add_option("--chart", o.charts,
-                   "S-57 cell (.000; updates beside it are applied), folder of cells, or any OGR source whose "
-                   "layers bear S-57 names; several may be given")
-        ->type_name("FILE|FOLDER...");
+    demos::declareChart(app, o);
     app.add_option("--from", t.from, "start: latitude,longitude in degrees or degrees and minutes")
         ->type_name("LAT,LON");
     app.add_option("--to", t.to, "goal")->type_name("LAT,LON");
-    app.add_option("--draught", o.vessel.draughtM, "draught of the vessel, metres")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--ukc", o.vessel.underKeelClearanceM, "water that must remain under the keel, metres")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--margin", o.vessel.marginM, "least distance to any hazard, metres")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--pitch", t.pitch,
-                   "width of a cell, metres (degrees with --scenario); auto: the larger of 20 m and what "
-                   "gives 4 million cells")
-        ->capture_default_str()
-        ->type_name("M|auto");
+    demos::declareVesselAndPitch(app, o, "metres (degrees with --scenario)");
     app.add_option("--rings", o.rings, "rings of successors, 1, 2 or 3: 6, 18 or 36 of them")
         ->capture_default_str()
         ->type_name("N");
@@ -76,7 +59,7 @@ void declare(CLI::App &app, Options &o, Texts &t)
     app.add_option("--metric", t.metric,
                    "what an edge costs: euclidean (metres) or lattice (steps between cells) [euclidean]")
         ->type_name("NAME");
-    app.add_option("--planner", o.planner, "HexAStar, or one of OMPL's on the same arena: " + plannerNames())
+    app.add_option("--planner", o.planner, "HexAStar, or one of OMPL's on the same arena: " + demos::plannerNames())
         ->capture_default_str()
         ->type_name("NAME");
     app.add_option("--time", o.timeS, "time limit of the search, seconds; sampling planners use all of it")
@@ -96,7 +79,7 @@ void declare(CLI::App &app, Options &o, Texts &t)
 
 [[noreturn]] void usage(const std::string &message)
 {
-    throw Failure(Exit::Usage, message);
+    throw demos::Failure(demos::Exit::Usage, message);
 }
 
 seahex::GeoPoint position(const std::string &option, const std::string &text)
@@ -113,31 +96,13 @@ seahex::GeoPoint position(const std::string &option, const std::string &text)
     }
 }
 
-double parsePitch(const std::string &text)
-{
-    if (text == "auto")
-        return 0.0;
-    double pitch = 0.0;
-    if (!CLI::detail::lexical_cast(text, pitch) || !std::isfinite(pitch) || pitch <= 0.0)
-        usage("--pitch must be a positive number of metres or auto, not '" + text + "'");
-    return pitch;
-}
-
 void checkNumbers(const Options &o)
 {
-    const auto notNegative = [](const char *option, double value, const char *unit)
-    {
-        if (!std::isfinite(value) || value < 0.0)
-            usage(std::string(option) + " must be 0 or more " + unit + ", not " + plain(value));
-    };
-    notNegative("--draught", o.vessel.draughtM, "metres");
-    notNegative("--ukc", o.vessel.underKeelClearanceM, "metres");
-    notNegative("--margin", o.vessel.marginM, "metres");
-    notNegative("--time", o.timeS, "seconds");
+    demos::requireNotNegative("--time", o.timeS, "seconds");
     if (o.rings < 1 || o.rings > 3)
         usage("--rings must be 1, 2 or 3, not " + std::to_string(o.rings));
-    if (!isPlannerName(o.planner))
-        usage("--planner: there is no planner '" + o.planner + "'; known are HexAStar, " + plannerNames());
+    if (!demos::isPlannerName(o.planner))
+        usage("--planner: there is no planner '" + o.planner + "'; known are HexAStar, " + demos::plannerNames());
 }
 
 void checkFiles(const Options &o)
@@ -183,7 +148,7 @@ void applyScenario(const CLI::App &app, Options &o, Texts &t)
         usage("--margin in metres has no meaning with --scenario cheng2020, whose frame is in degrees");
     o.chengScenario = true;
     if (o.charts.empty())
-        o.charts = {ownChart(cheng2020::chart)};
+        o.charts = {demos::ownChart(cheng2020::chart)};
     if (t.from.empty())
         t.from = cheng2020::from;
     if (t.to.empty())
@@ -201,7 +166,7 @@ void resolve(const CLI::App &app, Options &o, Texts &t)
         usage("--chart is missing: a chart file or folder is needed");
     o.from = position("--from", t.from);
     o.to = position("--to", t.to);
-    o.pitch = parsePitch(t.pitch);
+    demos::resolveVesselAndPitch(o);
     o.smoothing = !t.noSmoothing;
     const std::string guidance = t.guidance.empty() ? "distance" : t.guidance;
     if (!seahex::guidanceFromString(guidance))
@@ -223,28 +188,10 @@ CommandLine readCommandLine(int argc, const char *const *argv)
     Texts texts;
     CLI::App app(description, "plan_route");
     declare(app, options, texts);
-    try
-    {
-        app.parse(argc, argv);
-    }
-    catch (const CLI::CallForHelp &)
-    {
-        return {std::nullopt, app.help()};
-    }
-    catch (const CLI::ParseError &error)
-    {
-        usage(error.what());
-    }
+    if (const auto help = demos::parseCommandLine(app, argc, argv))
+        return {std::nullopt, *help};
     resolve(app, options, texts);
     return {options, ""};
-}
-
-bool wantsJson(int argc, const char *const *argv)
-{
-    for (int i = 1; i < argc; ++i)
-        if (std::strcmp(argv[i], "--json") == 0 || std::strncmp(argv[i], "--json=", 7) == 0)
-            return true;
-    return false;
 }
 
 }  // namespace plan_route

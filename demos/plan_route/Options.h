@@ -1,26 +1,23 @@
 #pragma once
 
+#include "common/ChartOptions.h"
+
 #include <seahex/geometry/GeoPoint.h>
 #include <seahex/search/Guidance.h>
 #include <seahex/search/LengthWeight.h>
-#include <seahex/world/Vessel.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace plan_route
 {
 
 /// The command line, checked and with defaults filled in.
-struct Options
+struct Options : demos::ChartOptions
 {
-    std::vector<std::string> charts;
     seahex::GeoPoint from = seahex::GeoPoint::fromLatLon(0.0, 0.0);
     seahex::GeoPoint to = seahex::GeoPoint::fromLatLon(0.0, 0.0);
-    seahex::Vessel vessel;
-    double pitch = 0.0;  ///< metres, or degrees in a scenario's frame; 0: automatic
     int rings = 3;
     seahex::Guidance guidance = seahex::Guidance::Distance;
     seahex::LengthMetric metric = seahex::LengthMetric::Euclidean;
@@ -42,10 +39,7 @@ struct CommandLine
     std::string text;
 };
 
-/// @throws Failure (Exit::Usage) with one sentence
+/// @throws demos::Failure (Exit::Usage) with one sentence
 CommandLine readCommandLine(int argc, const char *const *argv);
-
-/// True if --json is among the arguments: failures are then printed as an object.
-bool wantsJson(int argc, const char *const *argv);
 
 }  // namespace plan_route

@@ -1,5 +1,7 @@
 #include "Report.h"
 
+#include "common/Failure.h"
+
 #include <seahex/io/GeoJson.h>
 
 #include <nlohmann/json.hpp>
@@ -142,7 +144,7 @@ void describeChart(std::ostream &out, const seahex::Chart &chart)
 std::string jsonReport(const Options &options, const Result &result)
 {
     const seahex::HexOccupancy &occupancy = *result.arena->occupancy();
-    const Json report = {{"status", statusWord(Exit::Route)},
+    const Json report = {{"status", "route"},
                          {"exit", 0},
                          {"planner", options.planner},
                          {"raw", routeJson(result.raw)},
@@ -161,16 +163,6 @@ std::string jsonReport(const Options &options, const Result &result)
                            {"frame", result.arena->projection().name()}}},
                          {"start_cell", cellJson(result.startCell)},
                          {"goal_cell", cellJson(result.goalCell)}};
-    return report.dump(2, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string jsonFailure(const Failure &failure)
-{
-    Json report = {{"status", statusWord(failure.exit())},
-                   {"exit", static_cast<int>(failure.exit())},
-                   {"message", failure.what()}};
-    if (!failure.warnings().empty())
-        report["warnings"] = failure.warnings();
     return report.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -238,7 +230,7 @@ void writeRouteFile(const Options &options, const Result &result)
     }
     catch (const seahex::WriteError &error)
     {
-        throw Failure(Exit::Usage, error.what());
+        throw demos::Failure(demos::Exit::Usage, error.what());
     }
 }
 

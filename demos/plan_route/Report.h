@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Failure.h"
 #include "Job.h"
 #include "Options.h"
 
@@ -12,9 +11,6 @@ namespace plan_route
 /// The result as one JSON object.
 std::string jsonReport(const Options &options, const Result &result);
 
-/// A failure as one JSON object: status, exit, message, and the chart's warnings if there are any.
-std::string jsonFailure(const Failure &failure);
-
 /// The result for people: the chart, the cells, the search, the route, and what to look out for.
 std::string textReport(const Options &options, const Result &result);
 
@@ -22,7 +18,7 @@ std::string textReport(const Options &options, const Result &result);
 std::string summaryLine(const Options &options, const Result &result);
 
 /// Writes the GeoJSON file of --out.
-/// @throws Failure (Exit::Usage) if it can't be written
+/// @throws demos::Failure (Exit::Usage) if it can't be written
 void writeRouteFile(const Options &options, const Result &result);
 
 }  // namespace plan_route

@@ -2,8 +2,6 @@
 
 #include <seahex/geometry/HexLattice.h>
 
-#include <string>
-
 namespace plan_route
 {
 
@@ -27,9 +25,5 @@ double publishedPitchDeg();
 seahex::HexLattice lattice(double pitchDeg);
 
 }  // namespace cheng2020
-
-/// Path of one of the project's own charts, looked for beside the executable's build tree or install tree.
-/// @throws Failure (Exit::Chart) if it is in none of them
-std::string ownChart(const std::string &name);
 
 }  // namespace plan_route

@@ -2,15 +2,15 @@
 
 #include <cstdio>
 
-namespace plan_route
+namespace demos
 {
 
 const char *statusWord(Exit exit)
 {
     switch (exit)
     {
-        case Exit::Route:
-            return "route";
+        case Exit::Success:
+            return "success";
         case Exit::Usage:
             return "usage";
         case Exit::Chart:
@@ -21,6 +21,8 @@ const char *statusWord(Exit exit)
             return "no_route";
         case Exit::OutOfTime:
             return "out_of_time";
+        case Exit::Report:
+            return "report";
         case Exit::Internal:
             break;
     }
@@ -34,4 +36,4 @@ std::string plain(double value)
     return text;
 }
 
-}  // namespace plan_route
+}  // namespace demos

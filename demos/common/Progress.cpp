@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
-namespace plan_route
+namespace demos
 {
 
 Progress::Progress() : isTerminal_(isatty(STDERR_FILENO) != 0) {}
@@ -45,4 +45,4 @@ void Progress::end()
         ticker_.join();
 }
 
-}  // namespace plan_route
+}  // namespace demos

@@ -5,22 +5,23 @@
 #include <utility>
 #include <vector>
 
-namespace plan_route
+namespace demos
 {
 
-/// The program's exit codes, as its help documents them.
+/// The exit codes of the programs of this folder, one meaning each; a program's help names those that it has.
 enum class Exit
 {
-    Route = 0,
+    Success = 0,
     Internal = 1,
     Usage = 2,
     Chart = 3,
     NotNavigable = 4,
     NoRoute = 5,
-    OutOfTime = 6
+    OutOfTime = 6,
+    Report = 7
 };
 
-/// The word for an exit code in the field `status` of --json.
+/// The word for a failure's exit code in the field `status` of --json.
 const char *statusWord(Exit exit);
 
 /// A number for a message: "20", "0.3", "1e+10".
@@ -42,4 +43,4 @@ private:
     std::vector<std::string> warnings_;
 };
 
-}  // namespace plan_route
+}  // namespace demos

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace plan_route
+namespace demos
 {
 
 /// OMPL's planners that --planner knows, separated by commas; HexAStar is known besides.
@@ -15,4 +15,4 @@ bool isPlannerName(const std::string &name);
 /// @throws Failure (Exit::Usage) for an unknown name
 ompl::base::PlannerPtr makePlanner(const std::string &name, const ompl::base::SpaceInformationPtr &si);
 
-}  // namespace plan_route
+}  // namespace demos

@@ -4,7 +4,7 @@
 #include <string>
 #include <thread>
 
-namespace plan_route
+namespace demos
 {
 
 /// One line on a terminal's standard error that says what is going on and for how long; nothing where standard error is
@@ -27,4 +27,4 @@ private:
     std::thread ticker_;
 };
 
-}  // namespace plan_route
+}  // namespace demos

@@ -25,7 +25,7 @@
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-namespace plan_route
+namespace demos
 {
 namespace
 {
@@ -79,4 +79,4 @@ ob::PlannerPtr makePlanner(const std::string &name, const ob::SpaceInformationPt
     return found->second(si);
 }
 
-}  // namespace plan_route
+}  // namespace demos
