@@ -3,7 +3,8 @@
 library_packages="g++ cmake ninja-build ccache pkg-config
     libompl-dev libgdal-dev libeigen3-dev libboost-dev libgeographiclib-dev libcairo2-dev nlohmann-json3-dev"
 demo_packages="libcli11-dev libspdlog-dev fonts-dejavu-core"
-test_packages="libgtest-dev librapidcheck-dev libbenchmark-dev python3-gdal gmt-gshhg-full ompl-demos"
+test_packages="libgtest-dev librapidcheck-dev libbenchmark-dev python3-gdal gmt-gshhg-full
+    ompl-demos python3-matplotlib"
 
 # install_packages NAME...
 install_packages()
