@@ -246,7 +246,8 @@ PlanningOutcome HexAStar::plan(const ob::PlannerTerminationCondition &ptc)
 
 void HexAStar::beginSearch()
 {
-    tree_ = std::make_unique<SearchTree>(si_);
+    if (!tree_)
+        tree_ = std::make_unique<SearchTree>(si_);
     if (!search_)
     {
         const SearchSettings settings{rings_, guidance_, anytime_, smoothing_, allJumps_, direct_, tracing_};
@@ -311,7 +312,7 @@ void HexAStar::getPlannerData(ob::PlannerData &data) const
     if (search_->query() != nullptr)
         tree_->write(*search_->query(), *objective_, data);
     if (search_->best())
-        tree_->write(*search_->best(), *ends_, *lattice_, *objective_, data);
+        tree_->write(search_->best(), *ends_, *lattice_, *objective_, data);
 }
 
 }  // namespace seahex

@@ -34,6 +34,7 @@ void SearchTree::clear()
         si_->freeState(entry.second);
     states_.clear();
     ends_.clear();
+    paths_.clear();
 }
 
 const ob::State *SearchTree::find(HexCoord cell) const
@@ -90,9 +91,11 @@ void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjectiv
     query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.cell), vertex.goal); });
 }
 
-void SearchTree::write(const og::PathGeometric &path, const EndStates &ends, const HexLattice &lattice,
-                       const ob::OptimizationObjective &objective, ob::PlannerData &data) const
+void SearchTree::write(const std::shared_ptr<og::PathGeometric> &path, const EndStates &ends, const HexLattice &lattice,
+                       const ob::OptimizationObjective &objective, ob::PlannerData &data)
 {
+    if (paths_.empty() || paths_.back() != path)
+        paths_.push_back(path);
     const ob::StateSpace &space = *si_->getStateSpace();
     const auto equalOf = [&](const std::vector<ob::State *> &states, const ob::State *state)
     {
@@ -102,22 +105,22 @@ void SearchTree::write(const og::PathGeometric &path, const EndStates &ends, con
     };
     const auto vertexOf = [&](std::size_t i)
     {
-        const ob::State *state = path.getState(static_cast<unsigned int>(i));
+        const ob::State *state = path->getState(static_cast<unsigned int>(i));
         if (i == 0)
             return equalOf(ends.starts(), state);
-        if (i + 1 == path.getStateCount())
+        if (i + 1 == path->getStateCount())
             return equalOf(ends.goals(), state);
         const ob::State *centre = find(lattice.cellAt(embedding_.position(state)));
         return centre != nullptr && space.equalStates(centre, state) ? centre : state;
     };
     const ob::State *before = nullptr;
-    for (std::size_t i = 0; i < path.getStateCount(); ++i)
+    for (std::size_t i = 0; i < path->getStateCount(); ++i)
     {
         const ob::State *state = vertexOf(i);
         const ob::PlannerDataVertex vertex = tagged(state, PlannerDataTag::Solution);
         if (i == 0)
             data.addStartVertex(vertex);
-        if (i + 1 == path.getStateCount())
+        if (i + 1 == path->getStateCount())
             data.addGoalVertex(vertex);
         data.addVertex(vertex);
         data.tagState(state, static_cast<int>(PlannerDataTag::Solution));

@@ -7,6 +7,7 @@
 #include <ompl/base/PlannerData.h>
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -30,10 +31,11 @@ public:
     void write(const LatticeQuery &query, const ompl::base::OptimizationObjective &objective,
                ompl::base::PlannerData &data);
 
-    /// Adds a path, whose states must live on; those that are vertices already are not added again.
+    /// Adds a path and keeps it, as its states are vertices; those that are vertices already are not added again.
     /// @param ends  the starts and goals of the problem
-    void write(const ompl::geometric::PathGeometric &path, const EndStates &ends, const HexLattice &lattice,
-               const ompl::base::OptimizationObjective &objective, ompl::base::PlannerData &data) const;
+    void write(const std::shared_ptr<ompl::geometric::PathGeometric> &path, const EndStates &ends,
+               const HexLattice &lattice, const ompl::base::OptimizationObjective &objective,
+               ompl::base::PlannerData &data);
 
     void clear();
 
@@ -43,6 +45,7 @@ private:
     const ompl::base::State *stateOf(const TreeVertex &vertex);
     const ompl::base::State *find(HexCoord cell) const;
 
+    std::vector<std::shared_ptr<ompl::geometric::PathGeometric>> paths_;
     // by cell, see keyOf()
     std::unordered_map<std::uint64_t, ompl::base::State *> states_;
     std::unordered_map<std::uint64_t, const ompl::base::State *> ends_;  // starts and goals that are centres

@@ -106,8 +106,7 @@ public:
     ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
     using ompl::base::Planner::solve;
     /// The tree of the last search, its jumps weighted by the objective, joined to starts and goals, and the best path;
-    /// tags are PlannerDataTag. The states are the planner's and live until the next solve(), clear() or change of
-    /// settings.
+    /// tags are PlannerDataTag. The states are the planner's and live until clear() or a change of settings.
     void getPlannerData(ompl::base::PlannerData &data) const override;
 
     /// 1, 2 or 3 rings: 6, 18 or 36 successors; 3 by default. @throws ompl::Exception otherwise

@@ -72,10 +72,10 @@ public:
     [[gnu::flatten]] SearchStatus run(Stop &&stop, std::uint64_t pollInterval)
     {
         std::uint64_t untilPoll = 0;
-        while (!open_.empty())
+        while (interrupted_ || !open_.empty())
         {
             // compared as keys: what is left may still be better by the rounding of key(), which is none for the user
-            if (bestGoal_ && !lattice_.better(open_.top().key, lattice_.key(bestCost_)))
+            if (!interrupted_ && bestGoal_ && !lattice_.better(open_.top().key, lattice_.key(bestCost_)))
                 return SearchStatus::Found;
             if (untilPoll-- == 0)
             {
@@ -83,8 +83,7 @@ public:
                     return SearchStatus::Stopped;
                 untilPoll = pollInterval - 1;
             }
-            const OpenEntry entry = open_.top();
-            open_.pop();
+            const OpenEntry entry = takeNext();
             if (!testBit(closed_, entry.cell) && !expand(entry))
                 return SearchStatus::Stopped;
         }
@@ -100,6 +99,8 @@ public:
     double leastKey() const
     {
         const double best = lattice_.key(bestCost_);
+        if (interrupted_)
+            return lattice_.better(best, interrupted_->key) ? best : interrupted_->key;
         return open_.empty() || lattice_.better(best, open_.top().key) ? best : open_.top().key;
     }
 
@@ -149,6 +150,7 @@ public:
     void reset()
     {
         open_.clear();
+        interrupted_.reset();
         std::fill(generated_.begin(), generated_.end(), 0);
         std::fill(closed_.begin(), closed_.end(), 0);
         bestGoal_.reset();
@@ -175,6 +177,19 @@ private:
         bits[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
     }
 
+    OpenEntry takeNext()
+    {
+        if (interrupted_)
+        {
+            const OpenEntry entry = *interrupted_;
+            interrupted_.reset();
+            return entry;
+        }
+        const OpenEntry entry = open_.top();
+        open_.pop();
+        return entry;
+    }
+
     bool expand(const OpenEntry &entry)
     {
         const CellIndex cell = entry.cell;
@@ -185,9 +200,9 @@ private:
                                               { relax(successor, jump, lattice_.combine(cost, jumpCost)); });
         if (!finished)
         {
-            // what was relaxed already stays; the cell comes up again
+            // what was relaxed already stays; the cell is the next one again, so that the order stays the same
             clearBit(closed_, cell);
-            open_.push(entry);
+            interrupted_ = entry;
             return false;
         }
         ++counters_.expanded;
@@ -232,6 +247,7 @@ private:
 
     Lattice &lattice_;
     OpenList<Before> open_;
+    std::optional<OpenEntry> interrupted_;  // its expansion was
     std::unique_ptr<double[]> cost_;
     std::unique_ptr<std::uint8_t[]> arrivedBy_;
     std::vector<std::uint64_t> generated_;
