@@ -192,6 +192,7 @@ class CampaignTest(unittest.TestCase):
         write_folder(self.folder / "b", [1, 2])
         campaign, runs = self.results(self.folder / "a", self.folder / "b")
         self.assertEqual(campaign.pairs, [1, 2])
+        self.assertEqual([crash.pair for crash in campaign.crashes], [1, 2])
         self.assertEqual(sum(run.planner == "HexAStar" for run in runs), 4)
 
     def test_a_pair_without_its_log_is_not_done(self):
