@@ -29,7 +29,7 @@ struct Options : demos::ChartOptions
     double timeS = 2.0;          ///< of one run
     double leastDistance = 0.3;  ///< of start and goal, as a share of the diagonal of the lattice's box
     std::uint32_t seed = 1;
-    unsigned jobs = 1;  ///< at a time
+    unsigned jobs = 1;           ///< at a time
     std::optional<Shard> shard;  ///< if empty, all jobs are run and the page is made
     std::filesystem::path out = "out/benchmark";
     std::optional<std::vector<std::string>> merge;  ///< folders to merge; nothing is run then

@@ -28,8 +28,8 @@ enum class SpaceKind
 /// R^2 or SE(2) with these bounds of x and y, or cells of pitch 1 that cover them.
 ompl::base::StateSpacePtr spaceWithin(const Box &bounds, SpaceKind kind);
 
-/// A space whose problem is an occupancy, set up; its bounds are those of the lattice unless others are given. Cells are
-/// the occupancy's own.
+/// A space whose problem is an occupancy, set up; its bounds are those of the lattice unless others are given. Cells
+/// are the occupancy's own.
 ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy,
                                            SpaceKind kind = SpaceKind::Plane);
 ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind,
