@@ -1,11 +1,10 @@
 #include "seahex/geometry/HexLattice.h"
 
+#include "geometry/LatticeChecks.h"
 #include "seahex/geometry/SegmentDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 namespace seahex
 {
@@ -14,44 +13,22 @@ namespace
 
 const double root3 = std::sqrt(3.0);
 
-/// A whole number as an integer; numbers beyond 2^60, and what is none, become +-2^60, so that sums of coordinates
-/// hold.
-std::int64_t toCoordinate(double number)
-{
-    constexpr std::int64_t limit = std::int64_t{1} << 60;
-    if (!(number > -static_cast<double>(limit)))
-        return -limit;
-    return number < static_cast<double>(limit) ? static_cast<std::int64_t>(number) : limit;
-}
-
 }  // namespace
 
 HexLattice::HexLattice(const Point &northWest, double pitch, std::int64_t columns, std::int64_t rows)
     : northWest_(northWest), pitch_(pitch), side_(pitch / root3), columns_(columns), rows_(rows)
 {
-    if (!std::isfinite(pitch) || pitch <= 0.0)
-        throw std::domain_error("pitch must be positive, not " + std::to_string(pitch));
-    if (!northWest.allFinite())
-        throw std::domain_error("the lattice's origin is not a number");
-    if (columns <= 0 || rows <= 0)
-        throw std::domain_error("a lattice needs at least one column and one row, not " + std::to_string(columns) +
-                                " x " + std::to_string(rows));
+    requireLattice(northWest, pitch, columns, rows);
 }
 
 HexLattice HexLattice::covering(const Box &box, double pitch)
 {
-    if (!std::isfinite(pitch) || pitch <= 0.0)
-        throw std::domain_error("pitch must be positive, not " + std::to_string(pitch));
-    const Point extent = box.max - box.min;
-    if (!extent.allFinite() || extent.x() < 0.0 || extent.y() < 0.0)
-        throw std::domain_error("the box to be covered is empty or not finite");
+    const Point extent = extentToCover(box, pitch);
     const double side = pitch / root3;
     // Odd rows end half a cell before even ones, and rows meet in a zigzag half a side deep.
     const double columns = std::floor(extent.x() / pitch + 0.5) + 1.0;
     const double rows = std::floor((extent.y() + 0.5 * side) / (1.5 * side)) + 1.0;
-    if (columns * rows > std::ldexp(1.0, 40))
-        throw std::domain_error("a pitch of " + std::to_string(pitch) + " would need " +
-                                std::to_string(columns * rows) + " cells: at most 2^40");
+    requireCellCount(pitch, columns, rows);
     return HexLattice(Point(box.min.x() - 0.5 * pitch, box.max.y() + 0.5 * side), pitch,
                       static_cast<std::int64_t>(columns), static_cast<std::int64_t>(rows));
 }

@@ -33,7 +33,7 @@ TEST(HexCoord, offsetAndCubeAreInverse)
             const OffsetCoord offset{column, row};
             const HexCoord cell = toCube(offset);
             ASSERT_EQ(toOffset(cell), offset) << column << ", " << row;
-            ASSERT_EQ(toCube(toOffset({column, row})), (HexCoord{column, row}));
+            ASSERT_EQ(toCube(toOffset(HexCoord{column, row})), (HexCoord{column, row}));
             ASSERT_EQ(cell.q + cell.r() + cell.s, 0);
         }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <seahex/geometry/OffsetCoord.h>
+
 #include <cstdint>
 #include <cstdlib>
 
@@ -16,16 +18,6 @@ namespace seahex
 //       row 1     / \ / \ / \ /
 //                |0,1|1,1|2,1|           (column, row) as the paper's (x, y)
 //                 \ / \ / \ /
-
-/// A cell by its column and row, [Cheng2020]'s Cartesian (x, y).
-struct OffsetCoord
-{
-    std::int64_t column = 0;
-    std::int64_t row = 0;
-
-    friend bool operator==(OffsetCoord a, OffsetCoord b) { return a.column == b.column && a.row == b.row; }
-    friend bool operator!=(OffsetCoord a, OffsetCoord b) { return !(a == b); }
-};
 
 /// A cell, or the difference of two cells, in cube coordinates (q, r, s) with q + r + s = 0. Only q and s are stored.
 struct HexCoord

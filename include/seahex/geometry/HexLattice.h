@@ -1,5 +1,6 @@
 #pragma once
 
+#include <seahex/geometry/Box.h>
 #include <seahex/geometry/HexCoord.h>
 #include <seahex/geometry/Point.h>
 
@@ -9,18 +10,6 @@
 namespace seahex
 {
 
-/// Axis-parallel box in the plane.
-struct Box
-{
-    Point min = Point::Zero();
-    Point max = Point::Zero();
-
-    bool contains(const Point &p) const
-    {
-        return p.x() >= min.x() && p.x() <= max.x() && p.y() >= min.y() && p.y() <= max.y();
-    }
-};
-
 /// A rectangle of hexagonal cells in the plane (x east, y north).
 ///
 /// The lattice is unbounded as far as geometry goes (`cellAt`, `centre`, `corners` work for every cell); `contains`
@@ -28,6 +17,10 @@ struct Box
 class HexLattice
 {
 public:
+    using Cell = HexCoord;
+    /// The cell at a column and row.
+    static HexCoord cell(OffsetCoord offset) { return toCube(offset); }
+
     /// @param northWest  north-west corner: the westernmost point of odd rows (x) and the northern tip of row 0 (y)
     /// @param pitch      centre to centre = cell width, in the plane's unit; > 0
     /// @param columns, rows  > 0

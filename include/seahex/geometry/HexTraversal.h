@@ -3,80 +3,20 @@
 #include <seahex/geometry/HexCoord.h>
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/geometry/Point.h>
+#include <seahex/geometry/SegmentSpans.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 namespace seahex
 {
 
-// Which closed cells a straight segment touches. A cell belongs to the set as soon as the segment meets its edge or a
-// corner. The cells whose distance to a segment is at most r have their centres in one convex set: segment + hexagon +
-// disc of radius r. A row of centres cuts that set in one interval, so the answer is a span of columns for each row,
-// and no cell needs to be tested by itself.
-
-/// How exact questions about a segment of arbitrary doubles are: 1e-9 times the largest of the coordinates of a, b and
-/// the lattice's origin, and of the pitch.
-double traversalTolerance(const HexLattice &lattice, const Point &a, const Point &b);
-
-/// The cells of one row that lie within `radius` of the segment, as an interval of columns.
-struct RowSpan
-{
-    std::int64_t row;
-    std::int64_t firstColumn;
-    std::int64_t lastColumn;
-};
-
-/// Enumerates the row spans of all cells of the (unbounded) lattice within a distance of a segment.
-///
-/// Guarantee: every closed cell whose exact distance to the segment is <= radius is in a span, and no cell farther than
-/// radius + tolerance() is. The spans are the same, and come in the same order, for (a, b) and (b, a).
-class SegmentSpans
-{
-public:
-    /// @param radius  >= 0, in the plane's unit
-    SegmentSpans(const HexLattice &lattice, const Point &a, const Point &b, double radius = 0.0);
-
-    /// traversalTolerance() of the segment.
-    double tolerance() const { return tolerance_; }
-
-    std::int64_t firstRow() const { return firstRow_; }
-    std::int64_t lastRow() const { return lastRow_; }
-
-    /// The span of a row; empty (lastColumn < firstColumn) where the row has no such cell.
-    RowSpan span(std::int64_t row) const;
-
-private:
-    /// Half the width of hexagon + disc at a distance of `offset` above or below its centre; negative beyond its tips.
-    double halfWidth(double offset) const;
-
-    double pitch_;
-    double side_;
-    double tolerance_;
-    double reach_;  // radius + half the tolerance
-    Point low_;     // the segment's ends relative to the lattice's origin, x east and y south, the northern one first
-    Point high_;
-    Point support_;  // the point of hexagon + disc that goes farthest across the segment
-    std::int64_t firstRow_;
-    std::int64_t lastRow_;
-};
-
-/// Calls visit(cell) for every cell that the closed segment from a to b touches, a superset by at most the tolerance of
-/// SegmentSpans, until visit returns false. The same cells in the same order for (a, b) and (b, a).
+/// Calls visit(cell) for every cell that the closed segment from a to b touches, until visit returns false; see
+/// SegmentSpans.
 /// @return false if visit returned false
 template <class Visit>
 bool forEachTouchedCell(const HexLattice &lattice, const Point &a, const Point &b, Visit &&visit)
 {
-    const SegmentSpans spans(lattice, a, b);
-    for (std::int64_t row = spans.firstRow(); row <= spans.lastRow(); ++row)
-    {
-        const RowSpan span = spans.span(row);
-        for (std::int64_t column = span.firstColumn; column <= span.lastColumn; ++column)
-            if (!visit(toCube({column, row})))
-                return false;
-    }
-    return true;
+    return forEachTouchedCell(Lattice(lattice), a, b, [&visit](OffsetCoord cell) { return visit(toCube(cell)); });
 }
 
 /// The columns of one row that the segment between two cell centres touches, exactly, in integers; the row must lie
