@@ -3,7 +3,7 @@
 #include "Waters.h"
 
 #include <seahex/geometry/Point.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 #include <vector>

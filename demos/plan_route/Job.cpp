@@ -97,7 +97,7 @@ seahex::Route search(const Options &options, Result &result)
         result.expanded = hex->counters().expanded;
         result.searchMs = hex->searchMs();
         result.isImprovable = hex->outcome() == seahex::PlanningOutcome::Improvable;
-        for (const seahex::HexCoord cell : hex->trace())
+        for (const seahex::OffsetCoord cell : hex->trace())
             result.trace.push_back(occupancy->layout().index(cell));
         if (hex->outcome() == seahex::PlanningOutcome::Exhausted)
             throw Failure(Exit::NoRoute,

@@ -33,7 +33,8 @@ std::string nearestNavigable(const seahex::ChartArena &arena, const GeoPoint &po
     const auto free = seahex::nearestFree(*arena.occupancy(), p);
     if (!free)
         return "no position on this chart is navigable";
-    const GeoPoint nearest = arena.projection().inverse(arena.occupancy()->lattice().centre(free->cell));
+    const GeoPoint nearest =
+        arena.projection().inverse(arena.occupancy()->lattice().centre(seahex::toCube(free->cell)));
     const double distance = seahex::rhumbLengthM({{position, nearest}});
     char text[160];
     std::snprintf(text, sizeof text, "nearest navigable position %.6f,%.6f, %.0f m away", nearest.latitudeDeg(),

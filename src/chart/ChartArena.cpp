@@ -1,7 +1,7 @@
 #include "seahex/chart/ChartArena.h"
 
-#include "seahex/geometry/HexTraversal.h"
 #include "seahex/geometry/SegmentDistance.h"
+#include "seahex/geometry/SegmentSpans.h"
 #include "seahex/world/OccupancyBuilder.h"
 
 #include <boost/geometry/algorithms/covered_by.hpp>
@@ -100,8 +100,9 @@ ChartArena::ChartArena(const Chart &chart, const ArenaOptions &options)
 
     const Box box = boxOf(coverage_);
     scale_ = projection_.largestScale(std::max(std::abs(box.min.x()), std::abs(box.max.x())));
-    build(options.lattice ? *options.lattice
-                          : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));
+    occupancy_ =
+        fill(options.lattice ? *options.lattice
+                             : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));
     buildMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -116,14 +117,25 @@ double ChartArena::radius(std::size_t hazard) const
     return keepOutRadiusM(*hazards_[hazard].object, vessel_);
 }
 
-void ChartArena::build(const HexLattice &lattice)
+template <class KnownLattice>
+std::shared_ptr<const LatticeOccupancy<KnownLattice>> ChartArena::fillCells(const KnownLattice &lattice) const
 {
     OccupancyBuilder builder(lattice);
     builder.blockOutside(coverage_.areas, inPlane(vessel_.marginM + growthM));
     for (std::size_t i = 0; i < hazards_.size(); ++i)
         if (verdicts_[i].blocks())
             builder.block(hazards_[i].shape, inPlane(radius(i) + growthM));
-    occupancy_ = builder.build();
+    return builder.build();
+}
+
+std::shared_ptr<const HexOccupancy> ChartArena::fill(const HexLattice &lattice) const
+{
+    return fillCells(lattice);
+}
+
+std::shared_ptr<const SquareOccupancy> ChartArena::fill(const SquareLattice &lattice) const
+{
+    return fillCells(lattice);
 }
 
 std::vector<std::string> ChartArena::explainCell(HexCoord cell) const

@@ -22,7 +22,7 @@ AnytimeSearch::AnytimeSearch(SearchGround ground, const SearchSettings &settings
         if (settings_.smoothing)
             steps_.push_back(Step::Shorten);
     };
-    if (settings_.anytime && settings_.rings > 1)
+    if (settings_.anytime && settings_.jumps.rings > 1)
         add(Step::SearchFirst);
     add(Step::SearchAll);
 }
@@ -64,12 +64,12 @@ PlanningOutcome AnytimeSearch::outcome() const
     return query_->hasGoal() ? PlanningOutcome::Exhausted : PlanningOutcome::InvalidGoal;
 }
 
-std::vector<HexCoord> AnytimeSearch::trace() const
+std::vector<OffsetCoord> AnytimeSearch::trace() const
 {
     const CellLayout layout(ground_.lattice.columns(), ground_.lattice.rows());
-    std::vector<HexCoord> cells;
+    std::vector<OffsetCoord> cells;
     for (const CellIndex index : trace_)
-        cells.push_back(layout.cell(index));
+        cells.push_back(layout.offset(index));
     return cells;
 }
 
@@ -105,7 +105,7 @@ bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
         case Step::SearchFirst:
             return search(1, stop);
         case Step::SearchAll:
-            return search(settings_.rings, stop);
+            return search(settings_.jumps.rings, stop);
         case Step::Shorten:
             return shorten(stop);
     }
@@ -128,12 +128,12 @@ bool AnytimeSearch::search(int rings, const ob::PlannerTerminationCondition &sto
         latticePath_ = query_->path();
         offer(latticePath_);
         // the end of a search may have told its bound before the path's cost was known
-        if (rings == settings_.rings && !settings_.smoothing)
+        if (rings == settings_.jumps.rings && !settings_.smoothing)
             if (const auto bound = query_->lowerBound())
                 board_.raiseLowerBound(*bound);
     }
-    // A jump on an occupancy is valid only if all cells under it are free, so more rings reach no more cells.
-    else if (ground_.occupancy || !query_->hasStart() || !query_->hasGoal())
+    // A safe jump on an occupancy needs all cells under it to be free, so more rings reach no more cells.
+    else if ((ground_.occupancy && settings_.jumps.rule == JumpRule::Safe) || !query_->hasStart() || !query_->hasGoal())
         step_ = steps_.size();
     return true;
 }
@@ -154,9 +154,7 @@ bool AnytimeSearch::shorten(const ob::PlannerTerminationCondition &stop)
 void AnytimeSearch::makeQuery()
 {
     LatticeQuestion question{ground_.si,       ground_.objective, ground_.lattice, ground_.occupancy,
-                             settings_.direct, starts_,           goals_};
-    question.rings = settings_.rings;
-    question.allJumps = settings_.allJumps;
+                             settings_.direct, starts_,           goals_,          settings_.jumps};
     question.guidance = settings_.guidance;
     trace_.clear();
     question.trace = settings_.tracing ? &trace_ : nullptr;

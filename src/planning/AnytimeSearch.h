@@ -2,7 +2,7 @@
 
 #include "planning/LatticeQuery.h"
 #include "planning/PathShortener.h"
-#include "seahex/planning/HexAStar.h"
+#include "seahex/planning/LatticeAStar.h"
 
 #include <functional>
 #include <memory>
@@ -14,11 +14,10 @@ namespace seahex
 /// What shapes the work of a lattice planner.
 struct SearchSettings
 {
-    int rings;
+    JumpChoice jumps;
     Guidance guidance;
     bool anytime;
     bool smoothing;
-    bool allJumps;
     bool direct;
     bool tracing;
 };
@@ -28,13 +27,13 @@ struct SearchGround
 {
     ompl::base::SpaceInformationPtr si;
     ompl::base::OptimizationObjectivePtr objective;
-    HexLattice lattice;
-    std::shared_ptr<const HexOccupancy> chart;      ///< where the problem is one
-    std::shared_ptr<const HexOccupancy> occupancy;  ///< the same within the space's bounds
+    Lattice lattice;
+    std::shared_ptr<const Occupancy> chart;      ///< where the problem is one
+    std::shared_ptr<const Occupancy> occupancy;  ///< the same within the space's bounds
 };
 
-/// The steps of HexAStar, from a first answer to one that can't be bettered: searches with few rings and with all, each
-/// followed by the shortening of its path. Can be interrupted anywhere, and goes on there.
+/// The steps of a lattice planner, from a first answer to one that can't be bettered: searches with few rings and with
+/// all, each followed by the shortening of its path. Can be interrupted anywhere, and goes on there.
 class AnytimeSearch
 {
 public:
@@ -63,7 +62,7 @@ public:
 
     /// The last search; nullptr if there was none.
     const LatticeQuery *query() const { return query_.get(); }
-    std::vector<HexCoord> trace() const;
+    std::vector<OffsetCoord> trace() const;
 
 private:
     enum class Step

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "seahex/geometry/HexLattice.h"
-#include "seahex/search/HexJumps.h"
+#include "seahex/search/Jumps.h"
 
 #include <cmath>
 #include <vector>
@@ -16,11 +15,11 @@ inline double courseBetween(const Point &a, const Point &b)
 }
 
 /// The course of every jump.
-inline std::vector<double> coursesOf(const HexJumps &jumps, const HexLattice &lattice)
+inline std::vector<double> coursesOf(const Jumps &jumps)
 {
     std::vector<double> courses;
     for (std::size_t k = 0; k < jumps.size(); ++k)
-        courses.push_back(courseBetween(lattice.centre({0, 0}), lattice.centre(jumps.offset(k).offset)));
+        courses.push_back(courseBetween(Point::Zero(), jumps.vector(k)));
     return courses;
 }
 

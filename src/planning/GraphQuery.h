@@ -11,14 +11,14 @@
 namespace seahex
 {
 
-/// A query on a graph of one kind (HexGraph, MotionGraph) and weight.
+/// A query on a graph of one kind (JumpGraph, MotionGraph) and weight.
 template <class Graph>
 class GraphQuery : public LatticeQuery
 {
 public:
     template <class MakeGraph>
     GraphQuery(std::unique_ptr<QueryParts> parts, MakeGraph &&makeGraph)
-        : parts_(std::move(parts)), graph_(makeGraph(*parts_)), search_(graph_), rings_(parts_->question.rings)
+        : parts_(std::move(parts)), graph_(makeGraph(*parts_)), search_(graph_), rings_(parts_->question.jumps.rings)
     {
         search_.setTrace(parts_->question.trace);
         if (const ProgressBoard *board = parts_->question.board)
@@ -61,7 +61,7 @@ public:
         if (cells.empty())
             return nullptr;
         auto path = pathThrough(cells);
-        const Joint &last = parts_->best(parts_->goals, parts_->layout.cell(cells.back()));
+        const Joint &last = parts_->best(parts_->goals, parts_->layout.offset(cells.back()));
         // a path of one state would have no motion, and for costs that are minima no cost either
         if (!parts_->coincide(last.state, last.cell) || path->getStateCount() == 1)
             path->append(last.state);
@@ -91,8 +91,8 @@ public:
     std::optional<double> lowerBound() const override
     {
         const QueryParts &parts = *parts_;
-        const bool admissible = parts.question.guidance != Guidance::Cheng ||
-                                (parts.metric && (*parts.metric == LengthMetric::Lattice || rings_ == 1));
+        const bool admissible =
+            parts.question.guidance != Guidance::Cheng || rings_ == 1 || parts.metric == LengthMetric::Lattice;
         // elsewhere the larger cost may be the better one, or more is charged than the search knows of
         const bool isLength = parts.question.objective->isCostBetterThan(ompl::base::Cost(0.0), ompl::base::Cost(1.0));
         if (!admissible || !isLength || parts.embedding.hasHeading() || !joined_)
@@ -107,7 +107,7 @@ public:
             [&](CellIndex cell, std::uint8_t arrivedBy, bool isExpanded)
             {
                 TreeVertex vertex{
-                    parts_->layout.cell(cell), centre(cell), 0.0, std::nullopt, nullptr, false, isExpanded};
+                    parts_->layout.offset(cell), centre(cell), 0.0, std::nullopt, nullptr, false, isExpanded};
                 if (arrivedBy == AStar<Graph>::noJump)
                 {
                     const Joint &joint = parts_->best(parts_->starts, vertex.cell);
@@ -118,7 +118,7 @@ public:
                 else
                 {
                     const CellIndex parent = graph_.predecessor(cell, arrivedBy);
-                    vertex.parent = parts_->layout.cell(parent);
+                    vertex.parent = parts_->layout.offset(parent);
                     vertex.heading = courseBetween(centre(parent), vertex.position);
                 }
                 visit(vertex);
@@ -140,7 +140,7 @@ private:
         Interrupted
     };
 
-    Point centre(CellIndex cell) const { return parts_->question.lattice.centre(parts_->layout.cell(cell)); }
+    Point centre(CellIndex cell) const { return parts_->question.lattice.centre(parts_->layout.offset(cell)); }
 
     bool join()
     {
@@ -175,7 +175,7 @@ private:
             publish();
             return stop();
         };
-        return search_.run(isOver, parts_->metric ? 500 : 16);
+        return search_.run(isOver, parts_->isTabled() ? 500 : 16);
     }
 
     /// Where the problem is asked, the cache looks at the condition.
@@ -189,7 +189,8 @@ private:
         for (;;)
         {
             const SearchStatus status = search_.run(isOver, 1);
-            if (status != SearchStatus::Found || !parts_->embedding.hasHeading())
+            if (status != SearchStatus::Found || !parts_->embedding.hasHeading() ||
+                parts_->question.jumps.rule == JumpRule::Hopping)
                 return status;
             const Verdict verdict = examinePath();
             if (verdict != Verdict::Mended)
@@ -207,7 +208,7 @@ private:
         {
             board->expanded.store(expandedBefore_ + search_.counters().expanded, std::memory_order_relaxed);
             board->open.store(search_.openSize(), std::memory_order_relaxed);
-            if (parts_->question.tellsBound && rings_ == parts_->question.rings)
+            if (parts_->question.tellsBound && rings_ == parts_->question.jumps.rings)
                 if (const auto bound = lowerBound())
                     board->raiseLowerBound(*bound);
         }
@@ -218,7 +219,7 @@ private:
     {
         const LatticeQuestion &q = parts_->question;
         auto path = std::make_shared<ompl::geometric::PathGeometric>(q.si);
-        const Joint &first = parts_->best(parts_->starts, parts_->layout.cell(cells.front()));
+        const Joint &first = parts_->best(parts_->starts, parts_->layout.offset(cells.front()));
         path->append(first.state);
         ompl::base::ScopedState<> state(q.si);
         double heading = parts_->jointHeading(first.state, first.cell, true);
@@ -258,12 +259,11 @@ private:
         const std::vector<CellIndex> cells = search_.path();
         if (leg == cells.size())
         {
-            parts_->dropGoal(parts_->layout.cell(cells.back()));
+            parts_->dropGoal(parts_->layout.offset(cells.back()));
             return graph_.setGoals(parts_->goalCells());
         }
-        const HexCoord step = parts_->layout.cell(cells[leg]) - parts_->layout.cell(cells[leg - 1]);
         for (std::size_t k = 0; k < parts_->jumps.size(); ++k)
-            if (parts_->jumps.offset(k).offset == step)
+            if (parts_->jumps.successor(cells[leg - 1], k) == cells[leg])
                 parts_->cache->forbid(cells[leg - 1], k);
     }
 

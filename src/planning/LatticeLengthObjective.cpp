@@ -1,7 +1,7 @@
 #include "seahex/planning/LatticeLengthObjective.h"
 
 #include "planning/UpperBoundSampler.h"
-#include "seahex/geometry/HexNorm.h"
+#include "seahex/geometry/LatticeNorm.h"
 
 #include <ompl/base/SpaceInformation.h>
 
@@ -10,7 +10,7 @@ namespace ob = ompl::base;
 namespace seahex
 {
 
-LatticeLengthObjective::LatticeLengthObjective(const ob::SpaceInformationPtr &si, const HexLattice &lattice)
+LatticeLengthObjective::LatticeLengthObjective(const ob::SpaceInformationPtr &si, const Lattice &lattice)
     : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), lattice_(lattice)
 {
     description_ = "Lattice length";
@@ -23,7 +23,7 @@ ob::Cost LatticeLengthObjective::stateCost(const ob::State *) const
 
 ob::Cost LatticeLengthObjective::motionCost(const ob::State *s1, const ob::State *s2) const
 {
-    return ob::Cost(hexNorm(embedding_.position(s2) - embedding_.position(s1), lattice_));
+    return ob::Cost(latticeNorm(embedding_.position(s2) - embedding_.position(s1), lattice_));
 }
 
 ob::Cost LatticeLengthObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const

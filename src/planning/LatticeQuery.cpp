@@ -3,8 +3,9 @@
 #include "planning/GraphQuery.h"
 #include "planning/MotionGraph.h"
 #include "planning/ObjectiveWeight.h"
-#include "seahex/search/HexGraph.h"
+#include "seahex/search/JumpGraph.h"
 #include "seahex/search/LengthWeight.h"
+#include "seahex/search/SafetyLengthWeight.h"
 
 #include <utility>
 
@@ -18,16 +19,32 @@ template <class Weight, class MakeWeight>
 std::unique_ptr<LatticeQuery> makeQuery(std::unique_ptr<QueryParts> parts, MakeWeight &&makeWeight)
 {
     if (!parts->cache)
-        return std::make_unique<GraphQuery<HexGraph<Weight>>>(
+        return std::make_unique<GraphQuery<JumpGraph<Weight>>>(
             std::move(parts), [&](QueryParts &p)
-            { return HexGraph<Weight>(*p.question.occupancy, p.jumps, p.goalCells(), makeWeight(p)); });
-    return std::make_unique<GraphQuery<MotionGraph<Weight>>>(std::move(parts),
-                                                             [&](QueryParts &p)
-                                                             {
-                                                                 return MotionGraph<Weight>(
-                                                                     *p.cache, p.question.lattice, p.layout, p.jumps,
-                                                                     p.startHeadings, p.goalCells(), makeWeight(p));
-                                                             });
+            { return JumpGraph<Weight>(*p.question.occupancy, p.jumps, p.goalCells(), makeWeight(p)); });
+    return std::make_unique<GraphQuery<MotionGraph<Weight>>>(
+        std::move(parts), [&](QueryParts &p)
+        { return MotionGraph<Weight>(*p.cache, p.layout, p.jumps, p.startHeadings, p.goalCells(), makeWeight(p)); });
+}
+
+/// The weights that are known beforehand, on one kind of lattice.
+template <class Norm>
+std::unique_ptr<LatticeQuery> makeTabledQuery(std::unique_ptr<QueryParts> parts,
+                                              const typename Norm::KnownLattice &lattice)
+{
+    if (parts->metric)
+        return makeQuery<LatticeLengthWeight<Norm>>(std::move(parts),
+                                                    [&](const QueryParts &p) {
+                                                        return LatticeLengthWeight<Norm>(lattice, p.jumps, *p.metric,
+                                                                                         p.question.guidance,
+                                                                                         p.firstStart(), p.firstGoal());
+                                                    });
+    return makeQuery<SafetyLengthWeight<Norm>>(std::move(parts),
+                                               [&](const QueryParts &p) {
+                                                   return SafetyLengthWeight<Norm>(lattice, p.jumps, *p.safety,
+                                                                                   p.question.guidance, p.firstStart(),
+                                                                                   p.firstGoal());
+                                               });
 }
 
 }  // namespace
@@ -35,12 +52,10 @@ std::unique_ptr<LatticeQuery> makeQuery(std::unique_ptr<QueryParts> parts, MakeW
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
 {
     auto parts = std::make_unique<QueryParts>(question);
-    if (parts->metric)
-        return makeQuery<LengthWeight>(std::move(parts),
-                                       [](const QueryParts &p) {
-                                           return LengthWeight(p.question.lattice, p.jumps, *p.metric,
-                                                               p.question.guidance, p.firstStart(), p.firstGoal());
-                                       });
+    if (parts->isTabled() && question.lattice.hexagons() != nullptr)
+        return makeTabledQuery<HexJumpNorm>(std::move(parts), *question.lattice.hexagons());
+    if (parts->isTabled())
+        return makeTabledQuery<SquareJumpNorm>(std::move(parts), *question.lattice.squares());
     return makeQuery<ObjectiveWeight>(std::move(parts),
                                       [](const QueryParts &p)
                                       {

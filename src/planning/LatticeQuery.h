@@ -1,12 +1,13 @@
 #pragma once
 
+#include "planning/JumpChoice.h"
 #include "planning/ProgressBoard.h"
 #include "seahex/geometry/CellLayout.h"
-#include "seahex/geometry/HexLattice.h"
+#include "seahex/geometry/Lattice.h"
 #include "seahex/search/AStar.h"
 #include "seahex/search/Guidance.h"
 #include "seahex/search/SearchCounters.h"
-#include "seahex/world/HexOccupancy.h"
+#include "seahex/world/Occupancy.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/PlannerTerminationCondition.h>
@@ -21,22 +22,21 @@
 namespace seahex
 {
 
-/// What HexAStar is asked: from which states to which, on which lattice, at what cost.
+/// What a lattice planner is asked: from which states to which, on which lattice, at what cost.
 struct LatticeQuestion
 {
     ompl::base::SpaceInformationPtr si;
     ompl::base::OptimizationObjectivePtr objective;
-    HexLattice lattice;
+    Lattice lattice;
     /// If given, the problem's validity is that of this occupancy, and states join the centre of their own cell, which
     /// is free and convex. Elsewhere they join every centre within one ring that a valid motion reaches; states of a
     /// HexStateSpace are centres.
-    std::shared_ptr<const HexOccupancy> occupancy;
+    std::shared_ptr<const Occupancy> occupancy;
     /// Read the occupancy; otherwise `si` is asked, with the same result.
     bool direct = true;
     std::vector<const ompl::base::State *> starts;  ///< valid ones; owned by the planner
     std::vector<const ompl::base::State *> goals;
-    int rings = 1;  ///< the most that useRings() will ask for
-    bool allJumps = false;
+    JumpChoice jumps;  ///< with the most rings that useRings() will ask for
     Guidance guidance = Guidance::Distance;
     std::vector<CellIndex> *trace = nullptr;  ///< if given, collects the expanded cells of the search, in order
     ProgressBoard *board = nullptr;           ///< if given, told about the search while it runs
@@ -46,19 +46,19 @@ struct LatticeQuestion
 /// A cell that a search reached.
 struct TreeVertex
 {
-    HexCoord cell;
+    OffsetCoord cell;
     Point position;
     double heading;
-    std::optional<HexCoord> parent;  ///< empty where a start joins the lattice
-    const ompl::base::State *start;  ///< that start, or nullptr
-    bool isStart;                    ///< the start is this very vertex
+    std::optional<OffsetCoord> parent;  ///< empty where a start joins the lattice
+    const ompl::base::State *start;     ///< that start, or nullptr
+    bool isStart;                       ///< the start is this very vertex
     bool isExpanded;
 };
 
 /// A goal whose cell a search reached.
 struct GoalVertex
 {
-    HexCoord cell;
+    OffsetCoord cell;
     const ompl::base::State *goal;
     bool isCentre;  ///< the goal is the cell's very vertex
 };

@@ -2,7 +2,7 @@
 
 #include "planning/Courses.h"
 #include "seahex/planning/PlanarEmbedding.h"
-#include "seahex/search/HexJumps.h"
+#include "seahex/search/Jumps.h"
 
 #include <ompl/base/PlannerTerminationCondition.h>
 #include <ompl/base/ScopedState.h>
@@ -41,9 +41,9 @@ public:
     };
 
     /// @param isChart  cells whose centre lies outside the space's bounds are left out, so no jump may touch them
-    MotionCache(const ompl::base::SpaceInformationPtr &si, const PlanarEmbedding &embedding, const HexLattice &lattice,
-                const CellLayout &layout, const HexJumps &jumps, bool isChart)
-        : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps),
+    MotionCache(const ompl::base::SpaceInformationPtr &si, const PlanarEmbedding &embedding, const Lattice &lattice,
+                const CellLayout &layout, const Jumps &jumps, JumpRule rule, bool isChart)
+        : si_(si), embedding_(embedding), lattice_(lattice), layout_(layout), jumps_(jumps), rule_(rule),
           bounds_(embedding.bounds()),
           isCut_(isChart && !(bounds_.contains(lattice.bounds().min) && bounds_.contains(lattice.bounds().max))),
           cells_(layout.size(), unknown), motions_(layout.size() * jumps.size(), unknown), from_(si), to_(si)
@@ -64,7 +64,7 @@ public:
         const OffsetCoord o = layout_.offset(cell);
         if (o.row < 0 || o.row >= layout_.rows() || o.column < 0 || o.column >= layout_.columns())
             return false;
-        const Point centre = lattice_.centre(toCube(o));
+        const Point centre = lattice_.centre(o);
         if (!bounds_.contains(centre))
             return false;
         if (embedding_.hasHeading())
@@ -87,7 +87,7 @@ public:
                 return Answer::Interrupted;
             const bool isValid =
                 isCellUsable(to) && isWithinBounds(from, jump) &&
-                motion(lattice_.centre(layout_.cell(from)), heading, lattice_.centre(layout_.cell(to)));
+                motion(lattice_.centre(layout_.offset(from)), heading, lattice_.centre(layout_.offset(to)));
             if (embedding_.hasHeading())
                 return isValid ? Answer::Valid : Answer::Invalid;
             known = isValid ? valid : invalid;
@@ -171,7 +171,7 @@ private:
         for (std::uint16_t t = entry.firstTouch; t < entry.endTouch; ++t)
         {
             const auto touched = static_cast<CellIndex>(static_cast<std::int64_t>(from) + jumps_.touched()[t]);
-            if (!bounds_.contains(lattice_.centre(layout_.cell(touched))))
+            if (!bounds_.contains(lattice_.centre(layout_.offset(touched))))
                 return false;
         }
         return true;
@@ -184,14 +184,15 @@ private:
         // a motion may be many calls of the user's checker
         questions_ += si_->getStateSpace()->validSegmentCount(from_.get(), to_.get());
         return (!embedding_.hasHeading() || ask(si_->isValid(to_.get()))) &&
-               ask(si_->checkMotion(from_.get(), to_.get()));
+               (rule_ == JumpRule::Hopping || ask(si_->checkMotion(from_.get(), to_.get())));
     }
 
     ompl::base::SpaceInformationPtr si_;
     PlanarEmbedding embedding_;
-    HexLattice lattice_;
+    Lattice lattice_;
     CellLayout layout_;
-    const HexJumps &jumps_;
+    const Jumps &jumps_;
+    JumpRule rule_;
     Box bounds_;
     bool isCut_;  // a jump may touch cells outside the bounds
     std::vector<std::uint8_t> cells_;

@@ -11,7 +11,7 @@
 namespace seahex
 {
 
-/// The lattice of a user's own checker and motion validator as AStar wants it (compare HexGraph): a jump is valid if
+/// The lattice of a user's own checker and motion validator as AStar wants it (compare JumpGraph): a jump is valid if
 /// SpaceInformation::checkMotion says so, asked lazily.
 template <class Weight>
 class MotionGraph : public GoalCells<Weight>
@@ -19,10 +19,10 @@ class MotionGraph : public GoalCells<Weight>
 public:
     /// @param startHeadings  the yaw with which each start cell is reached, to be filled in before the search begins
     /// Cache, jumps and headings must outlive the graph.
-    MotionGraph(MotionCache &cache, const HexLattice &lattice, const CellLayout &layout, const HexJumps &jumps,
+    MotionGraph(MotionCache &cache, const CellLayout &layout, const Jumps &jumps,
                 const std::map<CellIndex, double> &startHeadings, std::vector<GoalCell> goals, Weight weight)
         : GoalCells<Weight>(layout, std::move(goals), std::move(weight)), cache_(cache), jumps_(jumps),
-          startHeadings_(startHeadings), courses_(coursesOf(jumps, lattice)), count_(jumps.size())
+          startHeadings_(startHeadings), courses_(coursesOf(jumps)), count_(jumps.size())
     {
     }
 
@@ -63,7 +63,7 @@ public:
 
 private:
     MotionCache &cache_;
-    const HexJumps &jumps_;
+    const Jumps &jumps_;
     const std::map<CellIndex, double> &startHeadings_;
     std::vector<double> courses_;
     std::size_t count_;

@@ -5,7 +5,7 @@
 #include "seahex/planning/PlanarEmbedding.h"
 #include "seahex/search/GoalCells.h"
 #include "seahex/search/Guidance.h"
-#include "seahex/search/HexJumps.h"
+#include "seahex/search/Jumps.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/ScopedState.h>
@@ -24,11 +24,11 @@ class ObjectiveWeight
 {
 public:
     ObjectiveWeight(const ompl::base::SpaceInformationPtr &si, const ompl::base::OptimizationObjective &objective,
-                    const PlanarEmbedding &embedding, const HexLattice &lattice, const CellLayout &layout,
-                    const HexJumps &jumps, Guidance guidance, const Point &start, const Point &goal)
+                    const PlanarEmbedding &embedding, const Lattice &lattice, const CellLayout &layout,
+                    const Jumps &jumps, Guidance guidance, const Point &start, const Point &goal)
         : objective_(objective), embedding_(embedding), lattice_(lattice), layout_(layout), guidance_(guidance),
           start_(start), goal_(goal), from_(std::make_shared<ompl::base::ScopedState<>>(si)),
-          to_(std::make_shared<ompl::base::ScopedState<>>(si)), courses_(coursesOf(jumps, lattice))
+          to_(std::make_shared<ompl::base::ScopedState<>>(si)), courses_(coursesOf(jumps))
     {
     }
 
@@ -45,15 +45,15 @@ public:
     double jumpCost(CellIndex from, CellIndex to, std::size_t jump, std::uint8_t arrivedBy)
     {
         const double heading = courses_[jump];
-        embedding_.place(from_->get(), lattice_.centre(layout_.cell(from)),
+        embedding_.place(from_->get(), lattice_.centre(layout_.offset(from)),
                          arrivedBy < courses_.size() ? courses_[arrivedBy] : heading);
-        embedding_.place(to_->get(), lattice_.centre(layout_.cell(to)), heading);
+        embedding_.place(to_->get(), lattice_.centre(layout_.offset(to)), heading);
         return objective_.motionCost(from_->get(), to_->get()).value();
     }
 
     /// The objective's heuristic between the two centres. Where states have a yaw it may count turns that the search
     /// does not charge, so nothing is assumed there.
-    double bound(HexCoord cell, const GoalCell &goal) const
+    double bound(OffsetCoord cell, const GoalCell &goal) const
     {
         if (guidance_ == Guidance::None || embedding_.hasHeading())
             return objective_.identityCost().value();
@@ -62,7 +62,7 @@ public:
         return combine(admissibleHeuristic(objective_, from_->get(), to_->get()).value(), goal.finish);
     }
 
-    double tie(HexCoord cell, double) const
+    double tie(OffsetCoord cell, double) const
     {
         const Point centre = lattice_.centre(cell);
         return guidance_ == Guidance::TieBreak ? distanceFromLine(start_, goal_, centre) : (goal_ - centre).norm();
@@ -73,7 +73,7 @@ private:
 
     const ompl::base::OptimizationObjective &objective_;
     PlanarEmbedding embedding_;
-    HexLattice lattice_;
+    Lattice lattice_;
     CellLayout layout_;
     Guidance guidance_;
     Point start_;

@@ -12,7 +12,7 @@ namespace seahex
 {
 
 OccupancyMotionValidator::OccupancyMotionValidator(const ob::SpaceInformationPtr &si,
-                                                   std::shared_ptr<const HexOccupancy> occupancy)
+                                                   std::shared_ptr<const Occupancy> occupancy)
     : ob::MotionValidator(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
 {
 }

@@ -11,7 +11,7 @@ namespace seahex
 {
 
 OccupancyValidityChecker::OccupancyValidityChecker(const ob::SpaceInformationPtr &si,
-                                                   std::shared_ptr<const HexOccupancy> occupancy)
+                                                   std::shared_ptr<const Occupancy> occupancy)
     : ob::StateValidityChecker(si), embedding_(si->getStateSpace().get()), occupancy_(std::move(occupancy))
 {
     specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;

@@ -18,7 +18,7 @@ namespace seahex
 {
 
 PathShortener::PathShortener(ob::SpaceInformationPtr si, ob::OptimizationObjectivePtr objective,
-                             std::shared_ptr<const HexOccupancy> chart, double pitch)
+                             std::shared_ptr<const Occupancy> chart, double pitch)
     : si_(std::move(si)), objective_(std::move(objective)), chart_(std::move(chart)), pitch_(pitch),
       embedding_(si_->getStateSpace().get())
 {

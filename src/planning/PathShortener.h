@@ -2,7 +2,7 @@
 
 #include "planning/Questions.h"
 #include "seahex/planning/PlanarEmbedding.h"
-#include "seahex/world/HexOccupancy.h"
+#include "seahex/world/Occupancy.h"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/SpaceInformation.h>
@@ -27,7 +27,7 @@ public:
 
     /// @param chart  where the problem's validity is that of this occupancy and it may be read; else nullptr
     PathShortener(ompl::base::SpaceInformationPtr si, ompl::base::OptimizationObjectivePtr objective,
-                  std::shared_ptr<const HexOccupancy> chart, double pitch);
+                  std::shared_ptr<const Occupancy> chart, double pitch);
 
     struct Result
     {
@@ -49,7 +49,7 @@ private:
 
     ompl::base::SpaceInformationPtr si_;
     ompl::base::OptimizationObjectivePtr objective_;
-    std::shared_ptr<const HexOccupancy> chart_;
+    std::shared_ptr<const Occupancy> chart_;
     double pitch_;
     PlanarEmbedding embedding_;
     std::shared_ptr<Path> path_;

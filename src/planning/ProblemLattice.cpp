@@ -7,6 +7,7 @@
 #include <ompl/util/Exception.h>
 
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 #include <utility>
 
@@ -28,7 +29,7 @@ const Class *exactly(const Base *object)
 
 /// The tolerance of points on cells grows with their coordinates. True where it is small against a cell, so that the
 /// motion validator and the integers of the lattice say the same.
-bool isExact(const HexLattice &lattice)
+bool isExact(const Lattice &lattice)
 {
     const Box box = lattice.bounds();
     constexpr double farthest = 1e7;  // pitches: a tolerance of a 100th
@@ -37,16 +38,16 @@ bool isExact(const HexLattice &lattice)
 
 }  // namespace
 
-void requireAskable(const HexLattice &lattice)
+void requireAskable(const Lattice &lattice)
 {
     constexpr std::int64_t mostAskable = 10000000;
     if (lattice.cellCount() > mostAskable)
-        throw ompl::Exception("HexAStar", "the lattice has " + std::to_string(lattice.cellCount()) +
-                                              " cells; where the problem's own checker is asked, at most " +
-                                              std::to_string(mostAskable) + " are allowed");
+        throw ompl::Exception("seahex", "the lattice has " + std::to_string(lattice.cellCount()) +
+                                            " cells; where the problem's own checker is asked, at most " +
+                                            std::to_string(mostAskable) + " are allowed");
 }
 
-std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &si)
+std::shared_ptr<const Occupancy> sharedOccupancy(const ob::SpaceInformation &si)
 {
     const auto *checker = exactly<OccupancyValidityChecker>(si.getStateValidityChecker().get());
     const auto *validator = exactly<OccupancyMotionValidator>(si.getMotionValidator().get());
@@ -55,20 +56,20 @@ std::shared_ptr<const HexOccupancy> sharedOccupancy(const ob::SpaceInformation &
     if (!isExact(checker->occupancy()->lattice()))
         return nullptr;
     const HexLattice *cells = PlanarEmbedding(si.getStateSpace().get()).lattice();
-    if (cells != nullptr && !(*cells == checker->occupancy()->lattice()))
+    if (cells != nullptr && checker->occupancy()->lattice() != *cells)
         return nullptr;
     return checker->occupancy();
 }
 
-std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const HexOccupancy> &occupancy, const Box &box)
+std::shared_ptr<const Occupancy> withinBounds(const std::shared_ptr<const Occupancy> &occupancy, const Box &box)
 {
-    const HexLattice &lattice = occupancy->lattice();
+    const Lattice &lattice = occupancy->lattice();
     const Box whole = lattice.bounds();
     if (box.contains(whole.min) && box.contains(whole.max))
         return occupancy;
     const auto isOutside = [&](std::int64_t column, std::int64_t row)
     {
-        return !box.contains(lattice.centre(toCube({column, row})));
+        return !box.contains(lattice.centre({column, row}));
     };
     CellBits bits(occupancy->layout());
     bits.words() = occupancy->words();
@@ -85,16 +86,18 @@ std::shared_ptr<const HexOccupancy> withinBounds(const std::shared_ptr<const Hex
     }
     if (bits.words() == occupancy->words())
         return occupancy;
-    return std::make_shared<const HexOccupancy>(lattice, occupancy->layout(), std::move(bits.words()));
+    return std::make_shared<const Occupancy>(lattice, occupancy->layout(), std::move(bits.words()));
 }
 
-HexLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize)
+template <class KnownLattice>
+KnownLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize)
 {
-    if (embedding.lattice() != nullptr)
-    {
-        requireAskable(*embedding.lattice());
-        return *embedding.lattice();
-    }
+    if constexpr (std::is_same_v<KnownLattice, HexLattice>)
+        if (embedding.lattice() != nullptr)
+        {
+            requireAskable(*embedding.lattice());
+            return *embedding.lattice();
+        }
     const Box bounds = embedding.bounds();
     const Point extent = bounds.max - bounds.min;
     const double pitch = requestedCellSize > 0.0 ? requestedCellSize : extent.maxCoeff() / 200.0;
@@ -102,14 +105,17 @@ HexLattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize
     double cells = (extent.x() / pitch) * (extent.y() / pitch);
     if (cells <= 2.0 * static_cast<double>(mostCells))
     {
-        HexLattice lattice = HexLattice::covering(bounds, pitch);
+        KnownLattice lattice = KnownLattice::covering(bounds, pitch);
         if (lattice.cellCount() <= mostCells)
             return lattice;
         cells = static_cast<double>(lattice.cellCount());
     }
-    throw ompl::Exception("HexAStar", "a cell size of " + std::to_string(pitch) + " makes about " +
-                                          std::to_string(cells) + " cells; at most " + std::to_string(mostCells) +
-                                          " are allowed");
+    throw ompl::Exception("seahex", "a cell size of " + std::to_string(pitch) + " makes about " +
+                                        std::to_string(cells) + " cells; at most " + std::to_string(mostCells) +
+                                        " are allowed");
 }
+
+template HexLattice layLattice<HexLattice>(const PlanarEmbedding &, double);
+template SquareLattice layLattice<SquareLattice>(const PlanarEmbedding &, double);
 
 }  // namespace seahex

@@ -1,7 +1,8 @@
 #include "planning/QueryParts.h"
 
-#include "seahex/geometry/HexNorm.h"
+#include "seahex/geometry/LatticeNorm.h"
 #include "seahex/planning/LatticeLengthObjective.h"
+#include "seahex/planning/SafetyWeightObjective.h"
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
@@ -14,42 +15,58 @@ namespace seahex
 namespace
 {
 
+bool hasCellsOf(const Lattice &a, const Lattice &b)
+{
+    return a.pitch() == b.pitch() && (a.hexagons() == nullptr) == (b.hexagons() == nullptr);
+}
+
 std::optional<LengthMetric> lengthMetric(const LatticeQuestion &question)
 {
     const ob::OptimizationObjective &objective = *question.objective;
     if (typeid(objective) == typeid(ob::PathLengthOptimizationObjective))
         return LengthMetric::Euclidean;
     if (typeid(objective) == typeid(LatticeLengthObjective) &&
-        static_cast<const LatticeLengthObjective &>(objective).lattice().pitch() == question.lattice.pitch())
+        hasCellsOf(static_cast<const LatticeLengthObjective &>(objective).lattice(), question.lattice))
         return LengthMetric::Lattice;
     return std::nullopt;
+}
+
+const SafetyWeights *safetyWeights(const LatticeQuestion &question)
+{
+    const ob::OptimizationObjective &objective = *question.objective;
+    if (typeid(objective) != typeid(SafetyWeightObjective))
+        return nullptr;
+    const auto &safety = static_cast<const SafetyWeightObjective &>(objective);
+    const bool isKnown = safety.charge() == SafetyCharge::OnArrival && safety.weights().lattice() == question.lattice;
+    return isKnown ? &safety.weights() : nullptr;
 }
 
 }  // namespace
 
 QueryParts::QueryParts(const LatticeQuestion &q)
-    : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)),
+    : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)), safety(safetyWeights(q)),
       layout(q.occupancy ? q.occupancy->layout() : CellLayout(q.lattice.columns(), q.lattice.rows())),
-      jumps(layout, q.rings, q.allJumps || !metric ? JumpSet::All : JumpSet::Primitive), scratch_(q.si)
+      jumpTable(makeJumps(q.lattice, layout, q.jumps, metric.has_value())), jumps(*jumpTable), scratch_(q.si)
 {
     if (!q.occupancy || !q.direct)
-        cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps, q.occupancy != nullptr);
-    if (!q.occupancy && embedding.lattice() == nullptr)
-        for (const RingOffset &offset : ringOffsets(1))
-            around_.push_back(offset.offset);
+        cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps, q.jumps.rule,
+                                              q.occupancy != nullptr);
+    joinsAround_ = !q.occupancy && embedding.lattice() == nullptr;
 }
 
 bool QueryParts::join()
 {
-    for (; tried_ < (question.starts.size() + question.goals.size()) * around_.size(); ++tried_)
+    const std::size_t around = joinsAround_ ? question.lattice.neighbours({0, 0}).size() + 1 : 1;
+    for (; tried_ < (question.starts.size() + question.goals.size()) * around; ++tried_)
     {
         if (cache && cache->interrupted())
             return false;
-        const std::size_t i = tried_ / around_.size();
+        const std::size_t i = tried_ / around;
         const bool isStart = i < question.starts.size();
         const ob::State *state = isStart ? question.starts[i] : question.goals[i - question.starts.size()];
-        const HexCoord own = question.lattice.cellAt(embedding.position(state));
-        tryJoin(state, own + around_[tried_ % around_.size()], isStart);
+        const OffsetCoord own = question.lattice.cellAt(embedding.position(state));
+        const std::size_t k = tried_ % around;
+        tryJoin(state, k == 0 ? own : question.lattice.neighbours(own)[k - 1], isStart);
     }
     goals = joinedGoals;
     for (const Joint &joint : starts)
@@ -64,7 +81,7 @@ void QueryParts::restore()
         cache->allowAll();
 }
 
-double QueryParts::jointHeading(const ob::State *state, HexCoord cell, bool isStart) const
+double QueryParts::jointHeading(const ob::State *state, OffsetCoord cell, bool isStart) const
 {
     const Point p = embedding.position(state);
     const Point centre = question.lattice.centre(cell);
@@ -73,7 +90,7 @@ double QueryParts::jointHeading(const ob::State *state, HexCoord cell, bool isSt
     return isStart ? courseBetween(p, centre) : courseBetween(centre, p);
 }
 
-const Joint &QueryParts::best(const std::vector<Joint> &joints, HexCoord cell) const
+const Joint &QueryParts::best(const std::vector<Joint> &joints, OffsetCoord cell) const
 {
     const Joint *best = nullptr;
     for (const Joint &joint : joints)
@@ -93,15 +110,17 @@ std::vector<GoalCell> QueryParts::goalCells() const
 
 double QueryParts::unit() const
 {
+    if (safety != nullptr)
+        return question.lattice.pitch();
     return metric == LengthMetric::Euclidean ? question.lattice.pitch() * embedding.lengthWeight() : 1.0;
 }
 
-bool QueryParts::coincide(const ob::State *state, HexCoord cell) const
+bool QueryParts::coincide(const ob::State *state, OffsetCoord cell) const
 {
     return !embedding.hasHeading() && embedding.position(state) == question.lattice.centre(cell);
 }
 
-void QueryParts::tryJoin(const ob::State *state, HexCoord cell, bool isStart)
+void QueryParts::tryJoin(const ob::State *state, OffsetCoord cell, bool isStart)
 {
     if (!cache)
     {
@@ -119,31 +138,31 @@ void QueryParts::tryJoin(const ob::State *state, HexCoord cell, bool isStart)
         add(state, cell, isStart);
 }
 
-void QueryParts::placeCentre(const ob::State *state, HexCoord cell, bool isStart)
+void QueryParts::placeCentre(const ob::State *state, OffsetCoord cell, bool isStart)
 {
     embedding.place(scratch_.get(), question.lattice.centre(cell), jointHeading(state, cell, isStart));
 }
 
-void QueryParts::add(const ob::State *state, HexCoord cell, bool isStart)
+void QueryParts::add(const ob::State *state, OffsetCoord cell, bool isStart)
 {
     (isStart ? starts : joinedGoals).push_back({cell, jointCost(state, cell, isStart), state});
 }
 
-double QueryParts::jointCost(const ob::State *state, HexCoord cell, bool isStart)
+double QueryParts::jointCost(const ob::State *state, OffsetCoord cell, bool isStart)
 {
     const Point leg = question.lattice.centre(cell) - embedding.position(state);
     if (metric == LengthMetric::Euclidean)
         return leg.norm() / question.lattice.pitch();
     if (metric == LengthMetric::Lattice)
-        return hexNorm(leg, question.lattice);
+        return latticeNorm(leg, question.lattice);
     const ob::OptimizationObjective &objective = *question.objective;
     if (coincide(state, cell))
         return (isStart ? objective.initialCost(state) : objective.terminalCost(state)).value();
     placeCentre(state, cell, isStart);
-    return isStart ? objective.combineCosts(objective.initialCost(state), objective.motionCost(state, scratch_.get()))
-                         .value()
-                   : objective.combineCosts(objective.motionCost(scratch_.get(), state), objective.terminalCost(state))
-                         .value();
+    const ob::Cost cost =
+        isStart ? objective.combineCosts(objective.initialCost(state), objective.motionCost(state, scratch_.get()))
+                : objective.combineCosts(objective.motionCost(scratch_.get(), state), objective.terminalCost(state));
+    return safety != nullptr ? cost.value() / unit() : cost.value();
 }
 
 }  // namespace seahex

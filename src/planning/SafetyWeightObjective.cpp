@@ -4,17 +4,20 @@
 #include "planning/UpperBoundSampler.h"
 
 #include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
 
 namespace ob = ompl::base;
 
 namespace seahex
 {
 
-SafetyWeightObjective::SafetyWeightObjective(const ob::SpaceInformationPtr &si, const HexOccupancy &occupancy,
+SafetyWeightObjective::SafetyWeightObjective(const ob::SpaceInformationPtr &si, const Occupancy &occupancy,
                                              SafetyCharge charge)
     : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), weights_(occupancy), charge_(charge)
 {
     description_ = "Safety weight";
+    if (charge == SafetyCharge::AlongLine && weights_.lattice().hexagons() == nullptr)
+        throw ompl::Exception("SafetyWeightObjective", "on squares the weight can be charged on arrival only");
 }
 
 ob::Cost SafetyWeightObjective::stateCost(const ob::State *state) const
@@ -28,7 +31,8 @@ ob::Cost SafetyWeightObjective::motionCost(const ob::State *s1, const ob::State 
     const Point b = embedding_.position(s2);
     if (charge_ == SafetyCharge::OnArrival)
         return ob::Cost((b - a).norm() * stateCost(s2).value());
-    return ob::Cost(integrateAlong(weights_.lattice(), a, b, [this](HexCoord cell) { return weights_.weight(cell); }));
+    return ob::Cost(
+        integrateAlong(*weights_.lattice().hexagons(), a, b, [this](HexCoord cell) { return weights_.weight(cell); }));
 }
 
 ob::Cost SafetyWeightObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const

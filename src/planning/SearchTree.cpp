@@ -1,6 +1,6 @@
 #include "planning/SearchTree.h"
 
-#include "seahex/planning/HexAStar.h"
+#include "seahex/planning/LatticeAStar.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,9 +14,9 @@ namespace
 {
 
 /// A number for each cell; a lattice has fewer than 2^32 of them.
-std::uint64_t keyOf(HexCoord cell)
+std::uint64_t keyOf(OffsetCoord cell)
 {
-    return (static_cast<std::uint64_t>(cell.s) << 32) ^ (static_cast<std::uint64_t>(cell.q) & 0xffffffffU);
+    return (static_cast<std::uint64_t>(cell.row) << 32) ^ (static_cast<std::uint64_t>(cell.column) & 0xffffffffU);
 }
 
 ob::PlannerDataVertex tagged(const ob::State *state, PlannerDataTag tag)
@@ -37,7 +37,7 @@ void SearchTree::clear()
     paths_.clear();
 }
 
-const ob::State *SearchTree::find(HexCoord cell) const
+const ob::State *SearchTree::find(OffsetCoord cell) const
 {
     const auto end = ends_.find(keyOf(cell));
     if (end != ends_.end())
@@ -91,7 +91,7 @@ void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjectiv
     query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.cell), vertex.goal); });
 }
 
-void SearchTree::write(const std::shared_ptr<og::PathGeometric> &path, const EndStates &ends, const HexLattice &lattice,
+void SearchTree::write(const std::shared_ptr<og::PathGeometric> &path, const EndStates &ends, const Lattice &lattice,
                        const ob::OptimizationObjective &objective, ob::PlannerData &data)
 {
     if (paths_.empty() || paths_.back() != path)

@@ -34,7 +34,7 @@ public:
     /// Adds a path and keeps it, as its states are vertices; those that are vertices already are not added again.
     /// @param ends  the starts and goals of the problem
     void write(const std::shared_ptr<ompl::geometric::PathGeometric> &path, const EndStates &ends,
-               const HexLattice &lattice, const ompl::base::OptimizationObjective &objective,
+               const Lattice &lattice, const ompl::base::OptimizationObjective &objective,
                ompl::base::PlannerData &data);
 
     void clear();
@@ -43,7 +43,7 @@ private:
     ompl::base::SpaceInformationPtr si_;
     PlanarEmbedding embedding_;
     const ompl::base::State *stateOf(const TreeVertex &vertex);
-    const ompl::base::State *find(HexCoord cell) const;
+    const ompl::base::State *find(OffsetCoord cell) const;
 
     std::vector<std::shared_ptr<ompl::geometric::PathGeometric>> paths_;
     // by cell, see keyOf()

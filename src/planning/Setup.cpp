@@ -14,7 +14,7 @@ namespace ob = ompl::base;
 namespace seahex
 {
 
-ob::StateSpacePtr planarSpace(const HexOccupancy &occupancy)
+ob::StateSpacePtr planarSpace(const Occupancy &occupancy)
 {
     const Box box = occupancy.lattice().bounds();
     ob::RealVectorBounds bounds(2);
@@ -33,7 +33,7 @@ ob::StateSpacePtr latticeSpace(const HexOccupancy &occupancy)
     return std::make_shared<HexStateSpace>(occupancy.lattice());
 }
 
-void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const HexOccupancy> &occupancy)
+void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const Occupancy> &occupancy)
 {
     const ob::SpaceInformationPtr &si = setup.getSpaceInformation();
     si->setStateValidityChecker(std::make_shared<OccupancyValidityChecker>(si, occupancy));

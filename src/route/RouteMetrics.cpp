@@ -1,8 +1,7 @@
 #include "seahex/route/RouteMetrics.h"
 
-#include "seahex/geometry/HexNorm.h"
-#include "seahex/geometry/HexRing.h"
-#include "seahex/geometry/HexTraversal.h"
+#include "seahex/geometry/LatticeNorm.h"
+#include "seahex/geometry/SegmentSpans.h"
 
 #include <cmath>
 #include <set>
@@ -22,16 +21,16 @@ Route countedPart(const Route &route, CountedLegs counted)
     return Route(std::vector<Point>(all.begin() + 1, all.end() - 1));
 }
 
-double latticeLength(const Route &route, const HexLattice &lattice, CountedLegs counted)
+double latticeLength(const Route &route, const Lattice &lattice, CountedLegs counted)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < route.legCount(); ++i)
     {
         const Leg leg = route.leg(i);
-        // between centres D is a whole number, and is counted as such
+        // between centres of hexagons D is a whole number, and is counted as such
         sum += counted == CountedLegs::BetweenCentres
-                   ? static_cast<double>(hexDistance(lattice.cellAt(leg.from), lattice.cellAt(leg.to)))
-                   : hexNorm(leg.to - leg.from, lattice);
+                   ? latticeDistance(lattice.cellAt(leg.from), lattice.cellAt(leg.to), lattice)
+                   : latticeNorm(leg.to - leg.from, lattice);
     }
     return sum;
 }
@@ -58,21 +57,17 @@ void countTurns(const Route &route, RouteMetrics &metrics)
     }
 }
 
-std::int64_t countPotentialHazards(const Route &route, const HexOccupancy &occupancy)
+std::int64_t countPotentialHazards(const Route &route, const Occupancy &occupancy)
 {
-    static const std::vector<RingOffset> neighbours = ringOffsets(1);
-    const HexLattice &lattice = occupancy.lattice();
-    std::set<HexCoord> hazards;
+    const Lattice &lattice = occupancy.lattice();
+    std::set<OffsetCoord> hazards;
     for (std::size_t i = 0; i < route.legCount(); ++i)
         forEachTouchedCell(lattice, route.leg(i).from, route.leg(i).to,
-                           [&](HexCoord cell)
+                           [&](OffsetCoord cell)
                            {
-                               for (const RingOffset &neighbour : neighbours)
-                               {
-                                   const HexCoord next = cell + neighbour.offset;
+                               for (const OffsetCoord next : lattice.neighbours(cell))
                                    if (lattice.contains(next) && occupancy.isBlocked(next))
                                        hazards.insert(next);
-                               }
                                return true;
                            });
     return static_cast<std::int64_t>(hazards.size());
@@ -85,7 +80,7 @@ double RouteMetrics::turnAngleDeg() const
     return turnAngleRad * 180.0 / pi;
 }
 
-RouteMetrics measureRoute(const Route &route, const HexOccupancy &occupancy, CountedLegs counted)
+RouteMetrics measureRoute(const Route &route, const Occupancy &occupancy, CountedLegs counted)
 {
     RouteMetrics metrics;
     metrics.lengthCells = route.length() / occupancy.lattice().pitch();

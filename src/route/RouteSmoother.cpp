@@ -92,7 +92,7 @@ Route pullString(const Route &route, const SegmentPredicate &isValid, double spa
     return length <= route.length() * (1.0 + rounding) ? Route(std::move(best)) : route;
 }
 
-Route pullString(const Route &route, const HexOccupancy &occupancy)
+Route pullString(const Route &route, const Occupancy &occupancy)
 {
     return pullString(
         route, [&occupancy](const Point &a, const Point &b) { return isFree(occupancy, a, b); },

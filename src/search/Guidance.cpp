@@ -9,9 +9,11 @@ namespace seahex
 namespace
 {
 
-constexpr std::array<std::pair<Guidance, const char *>, 4> names = {{{Guidance::None, "none"},
+constexpr std::array<std::pair<Guidance, const char *>, 6> names = {{{Guidance::None, "none"},
                                                                      {Guidance::Distance, "distance"},
+                                                                     {Guidance::Euclidean, "euclidean"},
                                                                      {Guidance::Cheng, "cheng"},
+                                                                     {Guidance::Wang, "wang"},
                                                                      {Guidance::TieBreak, "tie_break"}}};
 
 double cross(const Point &a, const Point &b)
@@ -27,6 +29,14 @@ const char *toString(Guidance guidance)
         if (value == guidance)
             return name;
     return "";
+}
+
+std::string guidanceNames()
+{
+    std::string all;
+    for (const auto &[value, name] : names)
+        all += (all.empty() ? "" : ",") + std::string(name);
+    return all;
 }
 
 std::optional<Guidance> guidanceFromString(const std::string &text)

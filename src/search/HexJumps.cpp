@@ -2,60 +2,43 @@
 
 #include "seahex/geometry/HexTraversal.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace seahex
 {
 
-HexJumps::HexJumps(const CellLayout &layout, int rings, JumpSet set)
-    : rings_(rings), stride_(static_cast<CellIndex>(layout.stride()))
+HexJumps::HexJumps(const CellLayout &layout, int rings, JumpSet set, JumpRule rule) : Jumps(layout)
 {
-    for (const RingOffset &offset : ringOffsets(rings))
-        if (set == JumpSet::All || offset.primitive)
-            offsets_.push_back(offset);
-
-    for (const RingOffset &jump : offsets_)
+    static const double rowStep = 0.5 * std::sqrt(3.0);
+    for (const RingOffset &jump : ringOffsets(rings))
     {
-        const auto q = static_cast<double>(jump.offset.q);
-        const auto s = static_cast<double>(jump.offset.s);
-        lengths_.push_back(std::sqrt(q * q + q * s + s * s));
-        const auto back = std::find_if(offsets_.begin(), offsets_.end(),
-                                       [&jump](const RingOffset &other) { return other.offset == -1 * jump.offset; });
-        opposites_.push_back(static_cast<std::size_t>(back - offsets_.begin()));
-    }
-
-    // Index differences depend on the parity of the row alone; any cell of that parity serves as the model.
-    for (int parity = 0; parity < 2; ++parity)
-    {
-        const HexCoord from = toCube({0, parity});
-        const auto delta = [&](HexCoord to)
+        if (set == JumpSet::Primitive && !jump.primitive)
+            continue;
+        std::array<std::vector<OffsetCoord>, 2> cells;
+        for (std::int64_t parity = 0; parity < 2; ++parity)
         {
-            const OffsetCoord d = toOffset(to);
-            return static_cast<std::int32_t>((d.row - parity) * layout.stride() + d.column);
-        };
-        for (const RingOffset &jump : offsets_)
-        {
+            const HexCoord from = toCube({0, parity});
             const HexCoord to = from + jump.offset;
-            Jump entry{delta(to), static_cast<std::uint16_t>(touched_.size()), 0};
+            std::vector<OffsetCoord> &needed = cells[static_cast<std::size_t>(parity)];
+            needed.push_back(toOffset(to));
+            const auto isNeeded = [&](HexCoord cell)
+            {
+                return rule == JumpRule::Hopping ? cell == to : cell != from;
+            };
             forEachTouchedCell(from, to,
                                [&](HexCoord cell)
                                {
-                                   if (cell != from)
-                                       touched_.push_back(delta(cell));
+                                   if (isNeeded(cell))
+                                       needed.push_back(toOffset(cell));
                                    return true;
                                });
-            entry.endTouch = static_cast<std::uint16_t>(touched_.size());
-            jumps_[static_cast<std::size_t>(parity)].push_back(entry);
         }
+        const auto q = static_cast<double>(jump.offset.q);
+        const auto s = static_cast<double>(jump.offset.s);
+        add(Point(q + 0.5 * s, -rowStep * s), jump.ring, jump.ring, cells);
+        offsets_.push_back(jump);
     }
-}
-
-std::size_t HexJumps::countWithin(int rings) const
-{
-    const auto beyond = std::find_if(offsets_.begin(), offsets_.end(),
-                                     [rings](const RingOffset &offset) { return offset.ring > rings; });
-    return static_cast<std::size_t>(beyond - offsets_.begin());
+    findOpposites();
 }
 
 }  // namespace seahex

@@ -13,7 +13,7 @@ namespace
 class NearestCell
 {
 public:
-    NearestCell(const HexOccupancy &occupancy, const Point &p, bool blocked)
+    NearestCell(const Occupancy &occupancy, const Point &p, bool blocked)
         : occupancy_(occupancy), lattice_(occupancy.lattice()), p_(p), flip_(blocked ? 0 : ~std::uint64_t{0})
     {
     }
@@ -23,7 +23,7 @@ public:
         // Rows -1 and rows() stand for all rows beyond: their cells are blocked and nearer.
         const std::int64_t top = -1;
         const std::int64_t bottom = lattice_.rows();
-        const std::int64_t start = std::clamp(lattice_.cellAt(p_).s, top, bottom);
+        const std::int64_t start = std::clamp(lattice_.cellAt(p_).row, top, bottom);
         for (std::int64_t step = 0;; ++step)
         {
             const bool above = start - step >= top && tryRow(start - step);
@@ -37,13 +37,13 @@ private:
     /// @return false if no cell of this row, or of a row farther away on this side, can be nearer than the best so far
     bool tryRow(std::int64_t row)
     {
-        const double centreY = lattice_.centre(toCube({0, row})).y();
-        const double gap = std::abs(p_.y() - centreY) - lattice_.side();
+        const double centreY = lattice_.centre({0, row}).y();
+        const double gap = std::abs(p_.y() - centreY) - lattice_.halfHeight();
         if (best_ && gap > best_->distance)
             return false;
         const CellLayout &layout = occupancy_.layout();
         const auto rowBegin = static_cast<std::int64_t>(layout.index(OffsetCoord{-CellLayout::frame, row}));
-        const double first = (row & 1) != 0 ? 0.5 : 1.0;
+        const double first = lattice_.firstColumn(row);
         const double column = std::floor((p_.x() - lattice_.northWest().x()) / lattice_.pitch() - first);
         const auto position = static_cast<std::int64_t>(
             std::clamp(column + static_cast<double>(CellLayout::frame), 0.0, static_cast<double>(layout.stride() - 1)));
@@ -56,7 +56,7 @@ private:
     {
         if (position < 0)
             return;
-        const HexCoord cell = toCube({position - CellLayout::frame, row});
+        const OffsetCoord cell{position - CellLayout::frame, row};
         const double distance = lattice_.distance(p_, cell);
         if (!best_ || distance < best_->distance)
             best_ = CellDistance{cell, distance};
@@ -84,8 +84,8 @@ private:
         return bits == 0 ? -1 : (w << 6) + __builtin_ctzll(bits);
     }
 
-    const HexOccupancy &occupancy_;
-    const HexLattice &lattice_;
+    const Occupancy &occupancy_;
+    const Lattice &lattice_;
     Point p_;
     std::uint64_t flip_;
     std::optional<CellDistance> best_;
@@ -93,20 +93,20 @@ private:
 
 }  // namespace
 
-CellDistance nearestBlocked(const HexOccupancy &occupancy, const Point &p)
+CellDistance nearestBlocked(const Occupancy &occupancy, const Point &p)
 {
-    const HexCoord cell = occupancy.lattice().cellAt(p);
+    const OffsetCoord cell = occupancy.lattice().cellAt(p);
     if (!occupancy.lattice().contains(cell))
         return {cell, 0.0};
     return *NearestCell(occupancy, p, true).find();
 }
 
-std::optional<CellDistance> nearestFree(const HexOccupancy &occupancy, const Point &p)
+std::optional<CellDistance> nearestFree(const Occupancy &occupancy, const Point &p)
 {
     return NearestCell(occupancy, p, false).find();
 }
 
-double signedClearance(const HexOccupancy &occupancy, const Point &p)
+double signedClearance(const Occupancy &occupancy, const Point &p)
 {
     if (occupancy.isFree(occupancy.lattice().cellAt(p)))
         return nearestBlocked(occupancy, p).distance;

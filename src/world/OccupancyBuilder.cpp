@@ -1,6 +1,6 @@
 #include "seahex/world/OccupancyBuilder.h"
 
-#include "seahex/geometry/HexTraversal.h"
+#include "seahex/geometry/SegmentSpans.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -34,15 +34,17 @@ void requireFinite(const Shape &shape)
 
 }  // namespace
 
-OccupancyBuilder::OccupancyBuilder(const HexLattice &lattice)
-    : lattice_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
+template <class KnownLattice>
+OccupancyBuilder<KnownLattice>::OccupancyBuilder(const KnownLattice &lattice)
+    : lattice_(lattice), cells_(lattice), bits_(CellLayout(lattice.columns(), lattice.rows())), fill_(lattice)
 {
     bits_.setOutside();
 }
 
-void OccupancyBuilder::blockNear(const Point &a, const Point &b, double radius)
+template <class KnownLattice>
+void OccupancyBuilder<KnownLattice>::blockNear(const Point &a, const Point &b, double radius)
 {
-    const SegmentSpans spans(lattice_, a, b, radius);
+    const SegmentSpans spans(cells_, a, b, radius);
     const std::int64_t last = std::min(spans.lastRow(), lattice_.rows() - 1);
     for (std::int64_t row = std::max<std::int64_t>(spans.firstRow(), 0); row <= last; ++row)
     {
@@ -51,7 +53,8 @@ void OccupancyBuilder::blockNear(const Point &a, const Point &b, double radius)
     }
 }
 
-void OccupancyBuilder::block(const Shape &shape, double radius)
+template <class KnownLattice>
+void OccupancyBuilder<KnownLattice>::block(const Shape &shape, double radius)
 {
     requireFinite(shape);
     for (const Point &point : shape.points)
@@ -74,7 +77,8 @@ void OccupancyBuilder::block(const Shape &shape, double radius)
     }
 }
 
-void OccupancyBuilder::blockOutside(const std::vector<Polygon> &areas, double radius)
+template <class KnownLattice>
+void OccupancyBuilder<KnownLattice>::blockOutside(const std::vector<Polygon> &areas, double radius)
 {
     CellBits inside(bits_.layout());
     requireFinite({{}, {}, areas});
@@ -92,9 +96,13 @@ void OccupancyBuilder::blockOutside(const std::vector<Polygon> &areas, double ra
     }
 }
 
-std::shared_ptr<const HexOccupancy> OccupancyBuilder::build() const
+template <class KnownLattice>
+std::shared_ptr<const LatticeOccupancy<KnownLattice>> OccupancyBuilder<KnownLattice>::build() const
 {
-    return std::make_shared<const HexOccupancy>(lattice_, bits_.layout(), bits_.words());
+    return std::make_shared<const LatticeOccupancy<KnownLattice>>(lattice_, bits_.layout(), bits_.words());
 }
+
+template class OccupancyBuilder<HexLattice>;
+template class OccupancyBuilder<SquareLattice>;
 
 }  // namespace seahex

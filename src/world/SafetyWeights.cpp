@@ -1,26 +1,24 @@
 #include "seahex/world/SafetyWeights.h"
 
-#include "seahex/geometry/HexRing.h"
-
 #include <cmath>
 
 namespace seahex
 {
 
-SafetyWeights::SafetyWeights(const HexOccupancy &occupancy)
-    : lattice_(occupancy.lattice()), layout_(occupancy.layout()), blocked_(layout_.size(), neighbours)
+SafetyWeights::SafetyWeights(const Occupancy &occupancy)
+    : lattice_(occupancy.lattice()), layout_(occupancy.layout()),
+      neighbours_(static_cast<int>(lattice_.neighbours({0, 0}).size())),
+      blocked_(layout_.size(), static_cast<std::uint8_t>(neighbours_))
 {
-    for (int n = 0; n <= neighbours; ++n)
-        table_[static_cast<std::size_t>(n)] = ofBlocked(n);
-    const std::vector<RingOffset> around = ringOffsets(1);
+    for (std::size_t n = 0; n < table_.size(); ++n)
+        table_[n] = ofBlocked(static_cast<int>(n));
     for (std::int64_t row = 0; row < layout_.rows(); ++row)
     {
         // within a row a neighbour is always as many indices away
-        const HexCoord first = toCube({0, row});
-        const auto rowBegin = static_cast<std::int64_t>(layout_.index(first));
-        std::array<std::int64_t, neighbours> away;
-        for (std::size_t k = 0; k < away.size(); ++k)
-            away[k] = static_cast<std::int64_t>(layout_.index(first + around[k].offset)) - rowBegin;
+        const auto rowBegin = static_cast<std::int64_t>(layout_.index(OffsetCoord{0, row}));
+        std::vector<std::int64_t> away;
+        for (const OffsetCoord neighbour : lattice_.neighbours({0, row}))
+            away.push_back(static_cast<std::int64_t>(layout_.index(neighbour)) - rowBegin);
         for (std::int64_t index = rowBegin; index < rowBegin + layout_.columns(); ++index)
         {
             if (occupancy.isBlockedAt(static_cast<CellIndex>(index)))

@@ -9,9 +9,10 @@ namespace seahex
 template <class Visit>
 void ScanlineFill::forEachCrossing(const Ring &ring, Visit &&visit) const
 {
-    const double rowStep = 1.5 * lattice_.side();
-    const double firstY = lattice_.side();
+    const double rowStep = lattice_.rowStep();
+    const double firstY = lattice_.halfHeight();
     const Point origin = lattice_.northWest();
+    const auto rowCount = static_cast<double>(lattice_.rows());
     // Each vertex is turned into a row number once and compared as such, so that the two edges that meet there agree.
     const auto rowOf = [&](const Point &p)
     {
@@ -31,7 +32,7 @@ void ScanlineFill::forEachCrossing(const Ring &ring, Visit &&visit) const
         const Point &b = ring[i];
         const double slope = (b.x() - a.x()) / (b.y() - a.y());
         const auto firstRow = static_cast<std::int64_t>(std::max(from, 0.0));
-        const auto endRow = static_cast<std::int64_t>(std::min(to, static_cast<double>(lattice_.rows())));
+        const auto endRow = static_cast<std::int64_t>(std::min(to, rowCount));
         for (std::int64_t r = firstRow; r < endRow; ++r)
         {
             const double y = origin.y() - firstY - rowStep * static_cast<double>(r);
@@ -79,7 +80,7 @@ void ScanlineFill::fill(const Polygon &polygon, CellBits &bits)
         if (begin == end)
             continue;
         std::sort(begin, end, [](const Crossing &a, const Crossing &b) { return a.x < b.x; });
-        const double first = (row & 1) != 0 ? 0.5 : 1.0;  // centre of column 0, in pitches
+        const double first = lattice_.firstColumn(row);
         int winding = 0;
         for (auto crossing = begin; crossing + 1 < end; ++crossing)
         {

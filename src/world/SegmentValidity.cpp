@@ -1,22 +1,22 @@
 #include "seahex/world/SegmentValidity.h"
 
-#include "seahex/geometry/HexTraversal.h"
+#include "seahex/geometry/SegmentSpans.h"
 
 namespace seahex
 {
 
-bool isFree(const HexOccupancy &occupancy, const Point &a, const Point &b)
+bool isFree(const Occupancy &occupancy, const Point &a, const Point &b)
 {
     if (!a.allFinite() || !b.allFinite())
         return false;
     // A long segment that begins or ends outside would otherwise be walked over an unbounded lattice.
-    const HexLattice &lattice = occupancy.lattice();
+    const Lattice &lattice = occupancy.lattice();
     if (!lattice.contains(lattice.cellAt(a)) || !lattice.contains(lattice.cellAt(b)))
         return false;
-    return forEachTouchedCell(lattice, a, b, [&occupancy](HexCoord cell) { return occupancy.isFree(cell); });
+    return forEachTouchedCell(lattice, a, b, [&occupancy](OffsetCoord cell) { return occupancy.isFree(cell); });
 }
 
-std::optional<double> lastFree(const HexOccupancy &occupancy, const Point &a, const Point &b)
+std::optional<double> lastFree(const Occupancy &occupancy, const Point &a, const Point &b)
 {
     if (!isFree(occupancy, a, a))
         return std::nullopt;

@@ -6,7 +6,7 @@
 #include <seahex/planning/HexAStar.h>
 #include <seahex/planning/Setup.h>
 #include <seahex/search/AStar.h>
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/LengthWeight.h>
 
 #include <ompl/util/Console.h>
@@ -41,10 +41,10 @@ double bareSearch(const HexOccupancy &occupancy, const Query &query, int rings)
 {
     const HexLattice &lattice = occupancy.lattice();
     const HexJumps jumps(occupancy.layout(), rings, JumpSet::Primitive);
-    HexGraph<LengthWeight> graph(occupancy, jumps, {{query.goal, 0.0}},
+    JumpGraph<LengthWeight> graph(occupancy, jumps, {{query.goal, 0.0}},
                                  LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
                                               lattice.centre(query.start), lattice.centre(query.goal)));
-    AStar<HexGraph<LengthWeight>> search(graph);
+    AStar<JumpGraph<LengthWeight>> search(graph);
     search.addStart(occupancy.layout().index(query.start), 0.0);
     search.run([] { return false; }, 500);
     benchmark::DoNotOptimize(search.path());

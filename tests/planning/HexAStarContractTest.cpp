@@ -140,8 +140,8 @@ TEST_F(HexAStarContract, ParametersAreSetAndReadByName)
 {
     HexAStar planner(si);
     auto &params = planner.params();
-    const std::set<std::string> names = {"rings",       "guidance",  "anytime", "smoothing",
-                                         "approximate", "all_jumps", "direct",  "cell_size"};
+    const std::set<std::string> names = {"rings",     "guidance", "anytime",   "smoothing", "approximate",
+                                         "all_jumps", "direct",   "cell_size", "jumps"};
     std::vector<std::string> declared;
     params.getParamNames(declared);
     EXPECT_EQ(std::set<std::string>(declared.begin(), declared.end()), names);
@@ -150,11 +150,16 @@ TEST_F(HexAStarContract, ParametersAreSetAndReadByName)
 
     EXPECT_TRUE(params.setParam("rings", "2"));
     EXPECT_EQ(planner.getRings(), 2);
-    for (const char *guidance : {"none", "distance", "cheng", "tie_break"})
+    for (const char *guidance : {"none", "distance", "euclidean", "cheng", "wang", "tie_break"})
     {
         EXPECT_TRUE(params.setParam("guidance", guidance));
         EXPECT_EQ(planner.getGuidance(), guidance);
         EXPECT_EQ(params["guidance"].getValue(), guidance);
+    }
+    for (const char *jumps : {"hopping", "safe"})
+    {
+        EXPECT_TRUE(params.setParam("jumps", jumps));
+        EXPECT_EQ(planner.getJumps(), jumps);
     }
     EXPECT_TRUE(params.setParam("all_jumps", "1"));
     EXPECT_TRUE(planner.getAllJumps());
@@ -225,10 +230,10 @@ TEST_F(HexAStarContract, TheTraceHoldsTheExpandedCells)
     ASSERT_EQ(planner->solve(5.0), ob::PlannerStatus::EXACT_SOLUTION);
     ASSERT_FALSE(planner->trace().empty());
     EXPECT_EQ(planner->trace().size(), planner->counters().expanded);
-    EXPECT_EQ(planner->trace().front(), world.cell('A'));
+    EXPECT_EQ(planner->trace().front(), toOffset(world.cell('A')));
     EXPECT_LE(planner->counters().expanded, planner->counters().generated + planner->counters().reopened);
-    for (const HexCoord cell : planner->trace())
-        EXPECT_TRUE(world.occupancy().isFree(cell));
+    for (const OffsetCoord cell : planner->trace())
+        EXPECT_TRUE(world.occupancy().isFree(toCube(cell)));
 }
 
 TEST_F(HexAStarContract, TwoPlannersOnOneSpaceInTwoThreads)

@@ -5,7 +5,7 @@
 
 #include <seahex/geometry/Shape.h>
 #include <seahex/search/AStar.h>
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/LengthWeight.h>
 #include <seahex/world/SegmentValidity.h>
 
@@ -30,10 +30,10 @@ Route latticePath(const HexOccupancy &occupancy, HexCoord from, HexCoord to, int
 {
     const HexJumps jumps(occupancy.layout(), rings, JumpSet::Primitive);
     const HexLattice &lattice = occupancy.lattice();
-    HexGraph<LengthWeight> graph(occupancy, jumps, {{to, 0.0}},
+    JumpGraph<LengthWeight> graph(occupancy, jumps, {{to, 0.0}},
                                  LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
                                               lattice.centre(from), lattice.centre(to)));
-    AStar<HexGraph<LengthWeight>> search(graph);
+    AStar<JumpGraph<LengthWeight>> search(graph);
     search.addStart(occupancy.layout().index(from), 0.0);
     search.run([] { return false; }, 1000);
     std::vector<Point> centres;

@@ -14,11 +14,11 @@ namespace
 /// Steps between neighbours.
 struct StepWeight : LengthAlgebra
 {
-    static double bound(HexCoord cell, const GoalCell &goal)
+    static double bound(OffsetCoord cell, const GoalCell &goal)
     {
-        return static_cast<double>(hexDistance(cell, goal.cell)) + goal.finish;
+        return static_cast<double>(hexDistance(toCube(cell), toCube(goal.cell))) + goal.finish;
     }
-    static double tie(HexCoord cell, double bound) { return bound + static_cast<double>(cell.q); }
+    static double tie(OffsetCoord cell, double bound) { return bound + static_cast<double>(toCube(cell).q); }
 };
 
 }  // namespace

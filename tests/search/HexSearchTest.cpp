@@ -1,7 +1,7 @@
-// AStar and HexGraph together: the search as the planner runs it.
+// AStar and JumpGraph together: the search as the planner runs it.
 
 #include <seahex/search/AStar.h>
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/LengthWeight.h>
 
 #include "support/AsciiWorld.h"
@@ -65,7 +65,7 @@ struct Problem
         {
             std::vector<ExplicitGraph::Terminal> terminals;
             for (const GoalCell &c : cells)
-                terminals.emplace_back(vertexOf(occupancy->lattice(), c.cell), c.finish);
+                terminals.emplace_back(vertexOf(occupancy->lattice(), toCube(c.cell)), c.finish);
             return terminals;
         };
         return jumpGraph(*occupancy, rings, metric).cheapest(vertices(starts), vertices(goals));
@@ -109,8 +109,8 @@ public:
         : problem_(problem), jumps_(problem.occupancy->layout(), method.rings, method.set),
           graph_(*problem.occupancy, jumps_, problem.goals,
                  LengthWeight(problem.occupancy->lattice(), jumps_, method.metric, method.guidance,
-                              problem.occupancy->lattice().centre(problem.starts.front().cell),
-                              problem.occupancy->lattice().centre(problem.goals.front().cell))),
+                              problem.occupancy->lattice().centre(toCube(problem.starts.front().cell)),
+                              problem.occupancy->lattice().centre(toCube(problem.goals.front().cell)))),
           search_(graph_)
     {
         search_.setTrace(&trace_);
@@ -126,8 +126,8 @@ public:
             search_.addStart(problem_.occupancy->layout().index(start.cell), start.finish);
     }
 
-    AStar<HexGraph<LengthWeight>> &operator*() { return search_; }
-    AStar<HexGraph<LengthWeight>> *operator->() { return &search_; }
+    AStar<JumpGraph<LengthWeight>> &operator*() { return search_; }
+    AStar<JumpGraph<LengthWeight>> *operator->() { return &search_; }
     std::vector<CellIndex> &trace() { return trace_; }
 
     std::vector<HexCoord> path() const
@@ -146,7 +146,7 @@ public:
         {
             double cost = infinity;
             for (const GoalCell &t : terminals)
-                cost = t.cell == cell ? std::min(cost, t.finish) : cost;
+                cost = t.cell == toOffset(cell) ? std::min(cost, t.finish) : cost;
             return cost;
         };
         if (cells.empty())
@@ -176,8 +176,8 @@ public:
 private:
     Problem problem_;
     HexJumps jumps_;
-    HexGraph<LengthWeight> graph_;
-    AStar<HexGraph<LengthWeight>> search_;
+    JumpGraph<LengthWeight> graph_;
+    AStar<JumpGraph<LengthWeight>> search_;
     std::vector<CellIndex> trace_;
 };
 

@@ -52,14 +52,14 @@ TEST(LengthWeight, boundsByGuidance)
                     const GoalCell goal{goalCell, 0.25};
                     const auto steps = static_cast<double>(hexDistance(cell, goalCell));
                     const double exact = metric == LengthMetric::Lattice ? steps : ringNorm(goalCell - cell, rings);
-                    ASSERT_EQ(none.bound(cell, goal), 0.0);
-                    ASSERT_EQ(distance.bound(cell, goal), exact + 0.25);
-                    ASSERT_EQ(tieBreak.bound(cell, goal), exact + 0.25);
+                    ASSERT_EQ(none.bound(toOffset(cell), goal), 0.0);
+                    ASSERT_EQ(distance.bound(toOffset(cell), goal), exact + 0.25);
+                    ASSERT_EQ(tieBreak.bound(toOffset(cell), goal), exact + 0.25);
                     // [Cheng2020] eq. 10: D(i, E) p(i)
                     const double p =
                         pilotQuantity(lattice.centre(startCell), lattice.centre(goalCell), lattice.centre(cell));
-                    ASSERT_NEAR(cheng.bound(cell, goal), steps * p + 0.25, 1e-12);
-                    ASSERT_LE(cheng.bound(cell, goal), steps + 0.25 + 1e-12) << "never above D";
+                    ASSERT_NEAR(cheng.bound(toOffset(cell), goal), steps * p + 0.25, 1e-12);
+                    ASSERT_LE(cheng.bound(toOffset(cell), goal), steps + 0.25 + 1e-12) << "never above D";
                 }
         }
     }
@@ -81,8 +81,8 @@ TEST(LengthWeight, distanceIsConsistent)
                         const HexCoord from = toCube({column, row});
                         const HexCoord to = from + jumps.offset(k).offset;
                         const GoalCell goal{goalCell, 0.0};
-                        ASSERT_LE(weight.bound(from, goal),
-                                  weight.jumpCost(0, 0, k, 255) + weight.bound(to, goal) + 1e-12);
+                        ASSERT_LE(weight.bound(toOffset(from), goal),
+                                  weight.jumpCost(0, 0, k, 255) + weight.bound(toOffset(to), goal) + 1e-12);
                     }
         }
     }
@@ -94,8 +94,8 @@ TEST(LengthWeight, tiesGoToTheLineOrToTheGoal)
     const LengthWeight distance = weightOf(jumps, LengthMetric::Euclidean, Guidance::Distance);
     const LengthWeight tieBreak = weightOf(jumps, LengthMetric::Euclidean, Guidance::TieBreak);
     const HexCoord cell = toCube({9, 17});
-    EXPECT_EQ(distance.tie(cell, 12.5), 12.5);
-    EXPECT_EQ(tieBreak.tie(cell, 12.5),
+    EXPECT_EQ(distance.tie(toOffset(cell), 12.5), 12.5);
+    EXPECT_EQ(tieBreak.tie(toOffset(cell), 12.5),
               distanceFromLine(lattice.centre(startCell), lattice.centre(goalCell), lattice.centre(cell)));
-    EXPECT_EQ(tieBreak.tie(startCell, 12.5), 0.0);
+    EXPECT_EQ(tieBreak.tie(toOffset(startCell), 12.5), 0.0);
 }

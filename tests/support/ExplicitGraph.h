@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/search/LengthWeight.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstddef>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/planning/HexAStar.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/ScopedState.h>

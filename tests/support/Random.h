@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/geometry/HexLattice.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <gtest/gtest.h>
 

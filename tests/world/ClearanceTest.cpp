@@ -62,8 +62,8 @@ TEST(Clearance, nearestBlockedEqualsBruteForce)
             const double expected = nearestByBruteForce(*occupancy, p, true);
             ASSERT_NEAR(nearest.distance, expected, 1e-9 * 200 * lattice.pitch())
                 << p.transpose() << toPicture(*occupancy);
-            ASSERT_TRUE(occupancy->isBlocked(nearest.cell));
-            ASSERT_NEAR(lattice.distance(p, nearest.cell), nearest.distance, 1e-9 * 200 * lattice.pitch());
+            ASSERT_TRUE(occupancy->isBlocked(toCube(nearest.cell)));
+            ASSERT_NEAR(lattice.distance(p, toCube(nearest.cell)), nearest.distance, 1e-9 * 200 * lattice.pitch());
         }
     }
 }
@@ -89,8 +89,8 @@ TEST(Clearance, nearestFreeEqualsBruteForce)
                 continue;
             ASSERT_NEAR(nearest->distance, expected, 1e-9 * 200 * lattice.pitch())
                 << p.transpose() << toPicture(*occupancy);
-            ASSERT_TRUE(occupancy->isFree(nearest->cell));
-            ASSERT_NEAR(lattice.distance(p, nearest->cell), nearest->distance, 1e-9 * 200 * lattice.pitch());
+            ASSERT_TRUE(occupancy->isFree(toCube(nearest->cell)));
+            ASSERT_NEAR(lattice.distance(p, toCube(nearest->cell)), nearest->distance, 1e-9 * 200 * lattice.pitch());
         }
     }
 }
@@ -101,7 +101,7 @@ TEST(Clearance, outsideOfTheLatticeIsBlocked)
     for (const Point &p : {Point(-5, -5), Point(50, -5), Point(8, 5), Point(8, -90), Point(0.1, -0.1)})
     {
         EXPECT_EQ(nearestBlocked(*occupancy, p).distance, 0.0) << p.transpose();
-        EXPECT_TRUE(occupancy->isBlocked(nearestBlocked(*occupancy, p).cell)) << p.transpose();
+        EXPECT_TRUE(occupancy->isBlocked(toCube(nearestBlocked(*occupancy, p).cell))) << p.transpose();
         EXPECT_LE(signedClearance(*occupancy, p), 0.0) << p.transpose();
         EXPECT_NEAR(signedClearance(*occupancy, p), -nearestByBruteForce(*occupancy, p, false), 1e-9) << p.transpose();
     }

@@ -5,7 +5,7 @@
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/world/BlockingRule.h>
 #include <seahex/world/HazardIndex.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 #include <seahex/world/Vessel.h>
 
 #include <memory>
@@ -52,6 +52,9 @@ public:
     const Vessel &vessel() const { return vessel_; }
     const Projection &projection() const { return projection_; }
     const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
+    /// The same water on another lattice: hazards, verdicts and radii are those of this arena.
+    std::shared_ptr<const HexOccupancy> fill(const HexLattice &lattice) const;
+    std::shared_ptr<const SquareOccupancy> fill(const SquareLattice &lattice) const;
     /// Every hazard of the chart in the plane, blocking or not, and what each means for the vessel (same order).
     const std::vector<Hazard> &hazards() const { return hazards_; }
     const std::vector<Verdict> &verdicts() const { return verdicts_; }
@@ -70,7 +73,8 @@ public:
     std::vector<std::string> explainPoint(const Point &p) const;
 
 private:
-    void build(const HexLattice &lattice);
+    template <class KnownLattice>
+    std::shared_ptr<const LatticeOccupancy<KnownLattice>> fillCells(const KnownLattice &lattice) const;
     double inPlane(double distanceM) const;
     double radius(std::size_t hazard) const;
     std::vector<std::string> explain(const Point &p, std::optional<HexCoord> cell) const;

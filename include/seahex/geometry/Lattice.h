@@ -62,6 +62,11 @@ public:
     {
         return std::visit([cell](const auto &lattice) { return lattice.centre(lattice.cell(cell)); }, lattice_);
     }
+    /// Distance from a point to the closed cell, 0 inside.
+    double distance(const Point &p, OffsetCoord cell) const
+    {
+        return std::visit([&](const auto &lattice) { return lattice.distance(p, lattice.cell(cell)); }, lattice_);
+    }
     /// Six or four, counter-clockwise.
     std::vector<Point> corners(OffsetCoord cell) const;
     /// The cells that touch a cell, six or eight, counter-clockwise from the eastern one; some may lie outside.

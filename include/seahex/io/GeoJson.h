@@ -2,7 +2,7 @@
 
 #include <seahex/chart/Projection.h>
 #include <seahex/io/GeoRoute.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <map>
 #include <stdexcept>

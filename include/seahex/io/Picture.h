@@ -4,7 +4,7 @@
 #include <seahex/geometry/CellLayout.h>
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/geometry/Shape.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <memory>
 #include <optional>

@@ -1,206 +1,47 @@
 #pragma once
 
 #include <seahex/geometry/HexLattice.h>
-#include <seahex/search/Guidance.h>
-#include <seahex/search/SearchCounters.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/planning/LatticeAStar.h>
 
-#include <ompl/base/Planner.h>
-#include <ompl/geometric/PathGeometric.h>
-
-#include <chrono>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace seahex
 {
 
-class AnytimeSearch;
-class EndStates;
-class SearchTree;
-struct ProgressBoard;
-
-/// How the last solve() of a lattice planner ended. OMPL 1.5's PlannerStatus has no word for an exhausted lattice.
-enum class PlanningOutcome
-{
-    None,          ///< not asked yet
-    Found,         ///< a path, and all that the settings ask for is done
-    Improvable,    ///< a path, but ended before that, by the termination condition or the objective's threshold
-    Exhausted,     ///< no path at this cell size; a finer lattice may have one
-    OutOfTime,     ///< stopped by the termination condition; solve() again continues
-    InvalidStart,  ///< no start is valid and joined to a cell
-    InvalidGoal    ///< no goal is valid and joined to a cell
-};
-
-/// What the tag of a vertex says in the PlannerData of a lattice planner.
-enum class PlannerDataTag
-{
-    Waiting = 0,   ///< reached, and in the open list; also a goal that is joined
-    Expanded = 1,  ///< expanded; also a start
-    Solution = 2   ///< on the best path
-};
-
-/// A better answer than those before it.
-struct Improvement
-{
-    double seconds;  ///< since solve() began
-    double cost;     ///< of the whole path, by the problem's objective
-};
-
-/// Anytime A* on a lattice of hexagons with ring expansion [Cheng2020], for problems in R^2, SE(2) and HexStateSpace.
-///
-/// **Lattice.** On a chart (OccupancyValidityChecker and OccupancyMotionValidator of one occupancy, see useOccupancy)
-/// the search runs on that occupancy's own lattice and reads its bits (setDirect); cells whose centre lies outside the
-/// space's bounds are left out. A state joins the centre of its own cell. **With no chart** the planner lays a lattice
-/// over the space's bounds and asks the problem's own checker and motion validator, lazily, each cell and each motion
-/// once (motions must be as valid there as back); start and goal join every centre within one ring that a valid motion
-/// reaches. In a HexStateSpace the lattice is the space's. In SE(2) the yaw at each centre is the course of the leg
-/// that led there; a motion that does not hold with the yaw of the path's leg before it is taken out of the lattice,
-/// and the search begins again.
-///
-/// **Answers.** solve() works in steps, each of which may better the answer: a search with one ring (setAnytime), its
-/// path shortened (setSmoothing), the search with all rings, its path shortened. The best path is kept, each
-/// improvement told to the problem's intermediate-solution callback (states from start to goal) and noted in
-/// improvements(). Work ends when the steps are done, when the termination condition holds, or when the best cost
-/// satisfies the objective's threshold. With both switched off the answer is the lattice's optimum: start, centres,
-/// goal, the cheapest for the problem's objective (path length if it has none; the planner never writes one into the
-/// problem), if the guidance's bound is admissible; see Guidance for the published one. A start and a goal in one cell
-/// are joined directly if that motion is valid.
-///
-/// **Objectives.** Any of OMPL's will do: costs, their sum and their order are the objective's; for path length and
-/// LatticeLengthObjective, which add up along a line, they are known beforehand and the bound is exact. In SE(2) a
-/// cell keeps one way to reach it, the cheapest; where the next leg's cost depends on it (turns), the path found is
-/// good but need not be the lattice's best.
-///
-/// **Problem.** All starts and goals take part, and the best pair wins; a goal region with no end of samples, and no
-/// GoalStates, is represented by its first 100. A goal state that is invalid is told at once; other regions are waited
-/// for as PlannerInputStates does, and goals that turn up during the search make it begin again with all of them.
-/// Starts and goals may be added between calls of solve(); after other changes to a problem call clear(), as for any
-/// planner. Another problem, objective or occupancy is noticed. A later call goes on where the one before it stopped;
-/// its answer is never worse.
-///
-/// **Status.** EXACT_SOLUTION; APPROXIMATE_SOLUTION if asked for (setApproximate); INVALID_START, INVALID_GOAL,
-/// UNRECOGNIZED_GOAL_TYPE (not sampleable); else TIMEOUT, also for an exhausted search, since "no path" holds for this
-/// cell size only; ask outcome(). The termination condition is looked at every 500 expansions, and every 16 calls of a
-/// user's checker, or after each motion where one takes more of them. An exception of the user's code clears the
-/// planner and passes through.
-///
-/// **Progress properties**, safe to read from any thread at any time: "best cost REAL", "lower bound REAL" (no path
-/// that this planner may yet return is cheaper: the search's own bound where smoothing is off, the objective's
-/// heuristic otherwise), "expanded INTEGER" (cells, by all searches since clear()), "open INTEGER".
-class HexAStar : public ompl::base::Planner
+/// Anytime A* on a lattice of hexagons with ring expansion [Cheng2020], for problems in R^2, SE(2) and HexStateSpace;
+/// see LatticeAStar for all that it does. In a HexStateSpace the lattice is the space's.
+class HexAStar : public LatticeAStar
 {
 public:
     /// @throws ompl::Exception if the space is neither R^2 nor SE(2) nor a HexStateSpace
     explicit HexAStar(const ompl::base::SpaceInformationPtr &si);
-    ~HexAStar() override;
-
-    /// @throws ompl::Exception if the lattice of a problem with no chart would have more than 10^6 cells, or a
-    /// HexStateSpace that must be asked, or a chart with setDirect(false), has more than 10^7
-    void setup() override;
-    void clear() override;
-    /// Clears the planner if the problem is another one.
-    void setProblemDefinition(const ompl::base::ProblemDefinitionPtr &pdef) override;
-    ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition &ptc) override;
-    using ompl::base::Planner::solve;
-    /// The tree of the last search, its jumps weighted by the objective, joined to starts and goals, and the best path;
-    /// tags are PlannerDataTag. The states are the planner's and live until clear() or a change of settings.
-    void getPlannerData(ompl::base::PlannerData &data) const override;
 
     /// 1, 2 or 3 rings: 6, 18 or 36 successors; 3 by default. @throws ompl::Exception otherwise
     void setRings(int rings);
     int getRings() const { return rings_; }
 
-    void setGuidance(Guidance guidance);
-    /// By name: none, distance, cheng, tie_break. @throws ompl::Exception for another
-    void setGuidance(const std::string &name);
-    std::string getGuidance() const { return toString(guidance_); }
-
     /// Search with one ring before the search with more, for an early answer. On by default.
     void setAnytime(bool anytime);
     bool getAnytime() const { return anytime_; }
-
-    /// Shorten what a search found by straight valid motions, as far as that lowers its cost. On by default.
-    void setSmoothing(bool smoothing);
-    bool getSmoothing() const { return smoothing_; }
-
-    /// With no path to a goal, tell the one to the centre nearest to a goal as an approximate solution. Off by default.
-    void setApproximate(bool approximate);
-    bool getApproximate() const { return approximate_; }
 
     /// Try every successor of a ring, also those that repeat shorter collinear jumps (JumpSet::All). Only matters where
     /// the objective is a length; others always use all.
     void setAllJumps(bool all);
     bool getAllJumps() const { return allJumps_; }
 
-    /// Read the occupancy behind a chart's checker, or ask the checker and motion validator as for any other problem:
-    /// slower, with up to 37 bytes a cell to keep the answers, and the same result. On by default.
-    void setDirect(bool direct);
-    bool getDirect() const { return direct_; }
-
-    /// Pitch of the lattice where there is no chart, in the space's unit; 0 (default): a 200th of the largest extent.
-    /// @throws ompl::Exception if negative or not a number
-    void setCellSize(double pitch);
-    double getCellSize() const { return requestedCellSize_; }
-
-    /// Pitch of the lattice in use; 0 before setup().
-    double cellSize() const { return lattice_ ? lattice_->pitch() : 0.0; }
     /// The lattice in use; empty before setup().
-    const std::optional<HexLattice> &lattice() const { return lattice_; }
+    std::optional<HexLattice> lattice() const;
 
-    PlanningOutcome outcome() const { return outcome_; }
-    /// Of the search with the most rings that has begun.
-    const SearchCounters &counters() const { return counters_; }
-    /// Wall time of the last solve(), joints, searches and smoothing included, milliseconds.
-    double searchMs() const { return searchMs_; }
-    /// The answers of the last solve(), each better than the one before; the first may be known from earlier.
-    const std::vector<Improvement> &improvements() const { return improvements_; }
-
-    /// Record the expanded cells (off by default).
-    void setTracing(bool tracing);
-    /// The cells of the search that counters() is about, in the order of expansion, if tracing is on.
-    const std::vector<HexCoord> &trace() const { return trace_; }
+protected:
+    bool isOwn(const Lattice &lattice) const override;
+    Lattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize) const override;
+    JumpChoice jumpChoice() const override;
+    bool searchesTwice() const override { return anytime_; }
 
 private:
-    void declareParameters();
-    void declareProgress();
-    bool isOutdated() const;
-    PlanningOutcome plan(const ompl::base::PlannerTerminationCondition &ptc);
-    void beginSearch();
-    void note(const ompl::geometric::PathGeometric &path, ompl::base::Cost cost);
-    ompl::base::PlannerStatus tell();
-    void addSolution(const ompl::geometric::PathGeometric &path, bool isApproximate);
-    void forgetSearch();
-
     int rings_ = 3;
-    Guidance guidance_ = Guidance::Distance;
     bool anytime_ = true;
-    bool smoothing_ = true;
-    bool approximate_ = false;
     bool allJumps_ = false;
-    bool direct_ = true;
-    double requestedCellSize_ = 0.0;
-    bool tracing_ = false;
-
-    std::optional<HexLattice> lattice_;
-    std::shared_ptr<const HexOccupancy> chart_;      // where the problem is one
-    std::shared_ptr<const HexOccupancy> occupancy_;  // the same within the space's bounds
-    ompl::base::OptimizationObjectivePtr problemObjective_;
-    ompl::base::OptimizationObjectivePtr objective_;  // the problem's or, if it has none, path length
-
-    std::unique_ptr<EndStates> ends_;
-    std::unique_ptr<AnytimeSearch> search_;
-    std::unique_ptr<SearchTree> tree_;  // what getPlannerData() handed out
-    std::unique_ptr<ProgressBoard> board_;
-
-    PlanningOutcome outcome_ = PlanningOutcome::None;
-    SearchCounters counters_;
-    std::chrono::steady_clock::time_point begin_;  // of the last solve()
-    double searchMs_ = 0.0;
-    std::vector<Improvement> improvements_;
-    std::vector<HexCoord> trace_;
 };
 
 }  // namespace seahex

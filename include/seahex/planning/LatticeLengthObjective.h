@@ -1,6 +1,6 @@
 #pragma once
 
-#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/Lattice.h>
 #include <seahex/planning/PlanarEmbedding.h>
 
 #include <ompl/base/OptimizationObjective.h>
@@ -8,14 +8,14 @@
 namespace seahex
 {
 
-/// Path length in steps of the lattice: D of [Cheng2020] eq. 4 for jumps between centres, extended to all segments as
-/// the norm that D is (hexNorm). Its motion cost, less a billionth for rounding, is its own
-/// heuristic.
+/// Path length in steps of the lattice: D of [Cheng2020] eq. 4 for jumps between centres, the octile distance on
+/// squares, extended to all segments as the norms that they are (latticeNorm). Its motion cost, less a billionth for
+/// rounding, is its own heuristic.
 class LatticeLengthObjective : public ompl::base::OptimizationObjective
 {
 public:
     /// @throws ompl::Exception if the space is not planar (PlanarEmbedding)
-    LatticeLengthObjective(const ompl::base::SpaceInformationPtr &si, const HexLattice &lattice);
+    LatticeLengthObjective(const ompl::base::SpaceInformationPtr &si, const Lattice &lattice);
 
     /// Identity: only motions cost.
     ompl::base::Cost stateCost(const ompl::base::State *state) const override;
@@ -24,11 +24,11 @@ public:
     ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr &problem,
                                                              unsigned int maxNumberCalls) const override;
 
-    const HexLattice &lattice() const { return lattice_; }
+    const Lattice &lattice() const { return lattice_; }
 
 private:
     PlanarEmbedding embedding_;
-    HexLattice lattice_;
+    Lattice lattice_;
 };
 
 }  // namespace seahex

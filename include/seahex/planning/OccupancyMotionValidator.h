@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/planning/PlanarEmbedding.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <ompl/base/MotionValidator.h>
 
@@ -17,7 +17,7 @@ class OccupancyMotionValidator : public ompl::base::MotionValidator
 {
 public:
     /// @throws ompl::Exception if the space is not planar (PlanarEmbedding)
-    OccupancyMotionValidator(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const HexOccupancy> occupancy);
+    OccupancyMotionValidator(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Occupancy> occupancy);
 
     bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2) const override;
 
@@ -30,14 +30,14 @@ public:
     bool checkMotion(const ompl::base::State *s1, const ompl::base::State *s2,
                      std::pair<ompl::base::State *, double> &lastValid) const override;
 
-    const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
+    const std::shared_ptr<const Occupancy> &occupancy() const { return occupancy_; }
 
 private:
     double lastValidFraction(const ompl::base::State *s1, const ompl::base::State *s2, ompl::base::State *state) const;
     double lastValidStep(const ompl::base::State *s1, const ompl::base::State *s2, ompl::base::State *state) const;
 
     PlanarEmbedding embedding_;
-    std::shared_ptr<const HexOccupancy> occupancy_;
+    std::shared_ptr<const Occupancy> occupancy_;
 };
 
 }  // namespace seahex

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/planning/PlanarEmbedding.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <ompl/base/StateValidityChecker.h>
 
@@ -18,7 +18,7 @@ class OccupancyValidityChecker : public ompl::base::StateValidityChecker
 {
 public:
     /// @throws ompl::Exception if the space is not planar (PlanarEmbedding)
-    OccupancyValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const HexOccupancy> occupancy);
+    OccupancyValidityChecker(const ompl::base::SpaceInformationPtr &si, std::shared_ptr<const Occupancy> occupancy);
 
     bool isValid(const ompl::base::State *state) const override;
     bool isValid(const ompl::base::State *state, double &dist) const override;
@@ -27,11 +27,11 @@ public:
     /// (signedClearance). Not more than the distance to any hazard.
     double clearance(const ompl::base::State *state) const override;
 
-    const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
+    const std::shared_ptr<const Occupancy> &occupancy() const { return occupancy_; }
 
 private:
     PlanarEmbedding embedding_;
-    std::shared_ptr<const HexOccupancy> occupancy_;
+    std::shared_ptr<const Occupancy> occupancy_;
 };
 
 }  // namespace seahex

@@ -42,7 +42,7 @@ class SafetyWeightObjective : public ompl::base::OptimizationObjective
 public:
     /// Computes the weights: keep the objective, not the occupancy.
     /// @throws ompl::Exception if the space is not planar (PlanarEmbedding)
-    SafetyWeightObjective(const ompl::base::SpaceInformationPtr &si, const HexOccupancy &occupancy,
+    SafetyWeightObjective(const ompl::base::SpaceInformationPtr &si, const Occupancy &occupancy,
                           SafetyCharge charge = SafetyCharge::AlongLine);
 
     /// The weight of the state's cell.

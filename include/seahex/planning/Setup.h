@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/geometry/Point.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <ompl/base/StateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -12,7 +12,7 @@ namespace seahex
 {
 
 /// A plain R^2 whose bounds are those of the occupancy's lattice.
-ompl::base::StateSpacePtr planarSpace(const HexOccupancy &occupancy);
+ompl::base::StateSpacePtr planarSpace(const Occupancy &occupancy);
 
 /// The cells of the occupancy's lattice as a space (HexStateSpace): planners see centres only.
 /// @throws ompl::Exception as HexStateSpace
@@ -21,7 +21,7 @@ ompl::base::StateSpacePtr latticeSpace(const HexOccupancy &occupancy);
 /// Makes a problem the occupancy's: validity checker, exact motion validator, and path length as the objective if there
 /// is none yet (some planners would otherwise write their own into the shared problem).
 /// @throws ompl::Exception if the setup's space is not planar (PlanarEmbedding)
-void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const HexOccupancy> &occupancy);
+void useOccupancy(ompl::geometric::SimpleSetup &setup, const std::shared_ptr<const Occupancy> &occupancy);
 
 /// Start and goal as points of the plane; yaw 0 where states have one. In a HexStateSpace they become the cells that
 /// the points lie in, and a path joins the centres of these; points outside its lattice are out of bounds, and no

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/route/Route.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 
@@ -14,10 +14,9 @@ constexpr double leastTurnRad = 1e-6;
 /// The numbers by which routes are compared, each with its one definition.
 struct RouteMetrics
 {
-    double lengthM = 0.0;      ///< rhumb-line metres on WGS-84; filled by whoever knows the positions on the earth
-    double lengthCells = 0.0;  ///< Euclidean length over the cell width, whole route
-    double lengthLattice =
-        0.0;        ///< sum of D ([Cheng2020] eq. 4, extended to all segments by hexNorm) over the counted legs
+    double lengthM = 0.0;        ///< rhumb-line metres on WGS-84; filled by whoever knows the positions on the earth
+    double lengthCells = 0.0;    ///< Euclidean length over the cell width, whole route
+    double lengthLattice = 0.0;  ///< sum of D ([Cheng2020] eq. 4; octile on squares; latticeNorm) over the counted legs
     int turns = 0;  ///< heading changes above leastTurnRad at waypoints between counted legs, collinear ones merged
     double turnAngleRad = 0.0;  ///< sum of those changes, each in (0, pi]
     /// Least distance in metres from the whole line to the geometry of a blocking hazard itself; infinite if there is
@@ -40,6 +39,6 @@ enum class CountedLegs
 };
 
 /// Everything but lengthM and minClearanceM.
-RouteMetrics measureRoute(const Route &route, const HexOccupancy &occupancy, CountedLegs counted);
+RouteMetrics measureRoute(const Route &route, const Occupancy &occupancy, CountedLegs counted);
 
 }  // namespace seahex

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <seahex/route/Route.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <functional>
 
@@ -25,6 +25,6 @@ Route pullString(const Route &route, const SegmentPredicate &isValid, double spa
 
 /// The same on the exact validity of an occupancy: never enters a blocked cell, nor touches one. Pieces of half a
 /// pitch.
-Route pullString(const Route &route, const HexOccupancy &occupancy);
+Route pullString(const Route &route, const Occupancy &occupancy);
 
 }  // namespace seahex

@@ -12,16 +12,19 @@ namespace seahex
 /// A cell in which a path may end, and what it costs to go from its centre to the goal itself.
 struct GoalCell
 {
-    HexCoord cell;
+    GoalCell(OffsetCoord where, double finishCost) : cell(where), finish(finishCost) {}
+    GoalCell(HexCoord where, double finishCost) : cell(toOffset(where)), finish(finishCost) {}
+
+    OffsetCoord cell;
     double finish;
 };
 
 /// The goal's side of a lattice graph: the bound, tie-break and finish that AStar asks for, for any number of goal
 /// cells. What a cell is away from one of them is said by `Weight`, from which this class derives:
 ///
-///     double bound(HexCoord cell, const GoalCell &) const
+///     double bound(OffsetCoord cell, const GoalCell &) const
 ///         lower bound of the cost from a cell to a goal, finish included
-///     double tie(HexCoord cell, double bound) const
+///     double tie(OffsetCoord cell, double bound) const
 ///
 /// and the algebra of costs: combine, better, improves, worst, key.
 template <class Weight>
@@ -47,7 +50,7 @@ public:
 
     double bound(CellIndex index) const
     {
-        const HexCoord cell = layout_.cell(index);
+        const OffsetCoord cell = layout_.offset(index);
         double best = Weight::worst();
         for (const GoalCell &goal : goals_)
         {
@@ -58,7 +61,7 @@ public:
         return best;
     }
 
-    double tie(CellIndex index, double bound) const { return Weight::tie(layout_.cell(index), bound); }
+    double tie(CellIndex index, double bound) const { return Weight::tie(layout_.offset(index), bound); }
 
     double finish(CellIndex index) const
     {

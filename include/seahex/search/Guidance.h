@@ -11,17 +11,23 @@ namespace seahex
 /// What leads a search towards the goal.
 enum class Guidance
 {
-    None,      ///< nothing: Dijkstra's algorithm
-    Distance,  ///< the exact lower bound of the cost that remains
+    None,       ///< nothing: Dijkstra's algorithm
+    Distance,   ///< the exact lower bound of the length that remains
+    Euclidean,  ///< the straight distance: the plain A* of [Wang2017]; weaker than Distance
     /// The published heuristic, D(i, E) p(i) of [Cheng2020] eq. 10. Never above D, so admissible for the metric D and
-    /// for Euclidean costs on ring 1; with Euclidean costs on rings 2 and 3 it overestimates (a jump of two rings can
-    /// cost 1.73) and routes may be a few percent too long. Weaker than Distance: it expands more cells.
+    /// for Euclidean costs on ring 1 and on squares; with Euclidean costs on rings 2 and 3 it overestimates (a jump of
+    /// two rings can cost 1.73) and routes may be a few percent too long. Weaker than Distance: it expands more cells.
     Cheng,
+    /// Straight distance times p(i), [Wang2017] eq. 5: admissible, and weaker than Euclidean.
+    Wang,
     TieBreak  ///< Distance; among cells of equal estimate the one nearest to the line from start to goal goes first
 };
 
-/// "none", "distance", "cheng", "tie_break".
+/// "none", "distance", "euclidean", "cheng", "wang", "tie_break".
 const char *toString(Guidance guidance);
+
+/// The names of all, separated by commas.
+std::string guidanceNames();
 
 /// @return empty if the text names no guidance
 std::optional<Guidance> guidanceFromString(const std::string &text);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 #include <limits>

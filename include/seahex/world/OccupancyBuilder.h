@@ -1,9 +1,9 @@
 #pragma once
 
-#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/Lattice.h>
 #include <seahex/geometry/Shape.h>
 #include <seahex/world/CellBits.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 #include <seahex/world/ScanlineFill.h>
 
 #include <memory>
@@ -14,16 +14,17 @@ namespace seahex
 
 /// Fills an occupancy: any touch blocks.
 ///
-/// A cell is blocked if the exact distance from a shape to the closed hexagon is <= the shape's radius; nothing is
-/// sampled and nothing is buffered by polygons (an approximated round buffer lies inside the true one). For doubles
-/// "exact" means a superset: a cell within 1e-9 times the largest coordinate beyond the radius may be blocked too
-/// (HexTraversal).
+/// Lattices: HexLattice and SquareLattice. A cell is blocked if the exact distance from a shape to the closed cell is
+/// <= the shape's radius; nothing is sampled and nothing is buffered by polygons (an approximated round buffer lies
+/// inside the true one). For doubles "exact" means a superset: a cell within 1e-9 times the largest coordinate beyond
+/// the radius may be blocked too (SegmentSpans).
 ///
 /// Time is linear in the shapes' segments, the cells along them, and the 64-bit words of their insides.
+template <class KnownLattice>
 class OccupancyBuilder
 {
 public:
-    explicit OccupancyBuilder(const HexLattice &lattice);
+    explicit OccupancyBuilder(const KnownLattice &lattice);
 
     /// Blocks every cell within `radius` of the shape (points, lines, filled areas).
     /// @param radius  >= 0, in the plane's unit
@@ -37,14 +38,18 @@ public:
     void blockOutside(const std::vector<Polygon> &areas, double radius);
 
     /// The occupancy of what was blocked so far.
-    std::shared_ptr<const HexOccupancy> build() const;
+    std::shared_ptr<const LatticeOccupancy<KnownLattice>> build() const;
 
 private:
     void blockNear(const Point &a, const Point &b, double radius);
 
-    HexLattice lattice_;
+    KnownLattice lattice_;
+    Lattice cells_;  // the same
     CellBits bits_;
     ScanlineFill fill_;
 };
+
+extern template class OccupancyBuilder<HexLattice>;
+extern template class OccupancyBuilder<SquareLattice>;
 
 }  // namespace seahex

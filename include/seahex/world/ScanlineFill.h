@@ -1,6 +1,6 @@
 #pragma once
 
-#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/Lattice.h>
 #include <seahex/geometry/Shape.h>
 #include <seahex/world/CellBits.h>
 
@@ -20,7 +20,7 @@ namespace seahex
 class ScanlineFill
 {
 public:
-    explicit ScanlineFill(const HexLattice &lattice) : lattice_(lattice) {}
+    explicit ScanlineFill(const Lattice &lattice) : lattice_(lattice) {}
 
     void fill(const Polygon &polygon, CellBits &bits);
 
@@ -36,7 +36,7 @@ private:
     template <class Visit>
     void forEachCrossing(const Ring &ring, Visit &&visit) const;
 
-    HexLattice lattice_;
+    Lattice lattice_;
     std::vector<std::uint32_t> rowStart_;  // where the crossings of each row begin
     std::vector<Crossing> crossings_;
 };

@@ -1,5 +1,5 @@
 #include <seahex/world/CellBits.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/world/Occupancy.h>
 
 #include "support/AsciiWorld.h"
 #include "support/HexOracle.h"

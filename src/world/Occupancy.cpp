@@ -1,4 +1,4 @@
-#include "seahex/world/HexOccupancy.h"
+#include "seahex/world/Occupancy.h"
 
 #include <bitset>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 namespace seahex
 {
 
-HexOccupancy::HexOccupancy(const HexLattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words)
+Occupancy::Occupancy(const Lattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words)
     : lattice_(lattice), layout_(layout), words_(std::move(words)), blockedCount_(0)
 {
     if (words_.size() != layout_.wordCount() || layout_.columns() != lattice_.columns() ||

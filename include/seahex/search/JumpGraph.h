@@ -1,8 +1,8 @@
 #pragma once
 
 #include <seahex/search/GoalCells.h>
-#include <seahex/search/HexJumps.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/search/Jumps.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 #include <utility>
@@ -11,8 +11,8 @@
 namespace seahex
 {
 
-/// The lattice of an occupancy as AStar wants it: a jump is valid if every cell it touches is free. What a jump costs
-/// is said by `Weight`, along with what GoalCells asks of it:
+/// The lattice of an occupancy as AStar wants it: a jump is valid if every cell that it needs is free. What a jump
+/// costs is said by `Weight`, along with what GoalCells asks of it:
 ///
 ///     double jumpCost(CellIndex from, CellIndex to, std::size_t jump, std::uint8_t arrivedBy)
 ///         arrivedBy: the jump that led to `from`; 255 where the path begins
@@ -20,11 +20,11 @@ namespace seahex
 ///
 /// Nothing is virtual, and nothing is allocated during a search but for the growth of the open list.
 template <class Weight>
-class HexGraph : public GoalCells<Weight>
+class JumpGraph : public GoalCells<Weight>
 {
 public:
     /// Occupancy and jumps must outlive the graph.
-    HexGraph(const HexOccupancy &occupancy, const HexJumps &jumps, std::vector<GoalCell> goals, Weight weight)
+    JumpGraph(const Occupancy &occupancy, const Jumps &jumps, std::vector<GoalCell> goals, Weight weight)
         : GoalCells<Weight>(occupancy.layout(), std::move(goals), std::move(weight)), jumps_(jumps),
           bits_(occupancy.words().data()), count_(jumps.size())
     {
@@ -65,7 +65,7 @@ private:
         return true;
     }
 
-    const HexJumps &jumps_;
+    const Jumps &jumps_;
     const std::uint64_t *bits_;
     std::size_t count_;
 };

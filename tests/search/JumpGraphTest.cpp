@@ -1,4 +1,4 @@
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/LengthWeight.h>
 
 #include "support/AsciiWorld.h"
@@ -20,7 +20,7 @@ std::set<HexCoord> successorsOf(const HexOccupancy &occupancy, HexCoord cell, in
 {
     const HexJumps jumps(occupancy.layout(), rings, set);
     const Point nowhere = Point::Zero();
-    HexGraph<LengthWeight> graph(
+    JumpGraph<LengthWeight> graph(
         occupancy, jumps, {},
         LengthWeight(occupancy.lattice(), jumps, LengthMetric::Euclidean, Guidance::None, nowhere, nowhere));
     std::set<HexCoord> successors;
@@ -37,7 +37,7 @@ std::set<HexCoord> successorsOf(const HexOccupancy &occupancy, HexCoord cell, in
 
 }  // namespace
 
-TEST(HexGraph, aJumpIsNoHop)
+TEST(JumpGraph, aJumpIsNoHop)
 {
     // A reef one cell thick: of the 36 jumps none leads across. (Jumps of the third ring reach the far side.)
     const AsciiWorld reef(R"(
@@ -72,7 +72,7 @@ TEST(HexGraph, aJumpIsNoHop)
     EXPECT_EQ(successorsOf(open.occupancy(), open.cell('A'), 1, JumpSet::All).count(open.cell('B')), 0u);
 }
 
-TEST(HexGraph, successorsAreTheJumpsThatTouchFreeCellsOnly)
+TEST(JumpGraph, successorsAreTheJumpsThatTouchFreeCellsOnly)
 {
     for (std::uint64_t seed = 1; seed <= 150; ++seed)
     {
