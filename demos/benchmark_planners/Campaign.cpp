@@ -6,7 +6,8 @@
 namespace benchmark_planners
 {
 
-Campaign::Campaign(const Options &options, const World &world, const ResultsFolder &folder, std::vector<Pair> pairs)
+Campaign::Campaign(const Options &options, const World &world, const ResultsFolder &folder,
+                   std::vector<demos::Pair> pairs)
     : options_(options), world_(world), folder_(folder), pairs_(std::move(pairs))
 {
     for (std::size_t k = 0; k < pairs_.size(); ++k)

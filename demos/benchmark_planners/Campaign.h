@@ -16,7 +16,7 @@ namespace benchmark_planners
 class Campaign
 {
 public:
-    Campaign(const Options &options, const World &world, const ResultsFolder &folder, std::vector<Pair> pairs);
+    Campaign(const Options &options, const World &world, const ResultsFolder &folder, std::vector<demos::Pair> pairs);
 
     /// The jobs of the shard, done before or not.
     std::size_t jobCount() const { return ofShard_; }
@@ -27,7 +27,7 @@ public:
 private:
     struct Task
     {
-        Pair pair;
+        demos::Pair pair;
         std::vector<std::string> planners;
         bool isAlone = false;
     };
@@ -48,7 +48,7 @@ private:
     const Options &options_;
     const World &world_;
     const ResultsFolder &folder_;
-    std::vector<Pair> pairs_;
+    std::vector<demos::Pair> pairs_;
     std::size_t ofShard_ = 0;
     std::deque<Task> waiting_;
     std::vector<Slot> slots_;

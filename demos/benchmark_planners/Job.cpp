@@ -25,7 +25,7 @@ std::uint32_t seedOf(std::uint32_t seed, unsigned pair)
     return h == 0 ? 1 : h;
 }
 
-void describePair(const World &world, const Pair &pair, ompl::tools::Benchmark &benchmark)
+void describePair(const World &world, const demos::Pair &pair, ompl::tools::Benchmark &benchmark)
 {
     const seahex::GeoPoint start = world.arena->projection().inverse(pair.start);
     const seahex::GeoPoint goal = world.arena->projection().inverse(pair.goal);

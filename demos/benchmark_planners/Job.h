@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Pairs.h"
 #include "World.h"
+#include "common/Pairs.h"
 
 #include <cstdint>
 #include <ostream>
@@ -14,7 +14,7 @@ namespace benchmark_planners
 /// One tools::Benchmark: some planners on one pair.
 struct Job
 {
-    Pair pair;
+    demos::Pair pair;
     std::vector<std::string> planners;
     unsigned runs = 1;
     double timeS = 1.0;

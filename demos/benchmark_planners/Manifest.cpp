@@ -56,7 +56,7 @@ double rounded(double value)
     return std::round(value * 1e6) / 1e6;
 }
 
-Json pairJson(const World &world, const Pair &pair)
+Json pairJson(const World &world, const demos::Pair &pair)
 {
     const seahex::GeoPoint start = world.arena->projection().inverse(pair.start);
     const seahex::GeoPoint goal = world.arena->projection().inverse(pair.goal);
@@ -87,10 +87,10 @@ Json arenaJson(const World &world)
 
 }  // namespace
 
-Json makeManifest(const Options &options, const World &world, const std::vector<Pair> &pairs)
+Json makeManifest(const Options &options, const World &world, const std::vector<demos::Pair> &pairs)
 {
     Json pairList = Json::array();
-    for (const Pair &pair : pairs)
+    for (const demos::Pair &pair : pairs)
         pairList.push_back(pairJson(world, pair));
     const std::string ompl = std::to_string(OMPL_MAJOR_VERSION) + "." + std::to_string(OMPL_MINOR_VERSION) + "." +
                              std::to_string(OMPL_PATCH_VERSION);

@@ -4,12 +4,12 @@
 #include "Campaign.h"
 #include "Manifest.h"
 #include "Options.h"
-#include "Pairs.h"
 #include "ReportProgram.h"
-#include "Waters.h"
 #include "common/Arena.h"
+#include "common/Pairs.h"
 #include "common/Program.h"
 #include "common/Progress.h"
+#include "common/Waters.h"
 
 #include <cstdio>
 
@@ -67,8 +67,8 @@ void runCampaign(const Options &options)
     const ResultsFolder folder(options.out);
     const World world = makeWorld(options);
     const seahex::HexOccupancy &occupancy = *world.arena->occupancy();
-    const std::vector<Pair> pairs =
-        drawPairs(occupancy, LargestWater(occupancy), {options.pairs, options.leastDistance, options.seed});
+    const std::vector<demos::Pair> pairs =
+        drawPairs(occupancy, demos::LargestWater(occupancy), {options.pairs, options.leastDistance, options.seed});
     const nlohmann::ordered_json manifest = makeManifest(options, world, pairs);
     folder.claim(manifest);
     if (!options.json)

@@ -3,6 +3,7 @@
 #include "Failure.h"
 
 #include <seahex/planning/HexAStar.h>
+#include <seahex/planning/SquareAStar.h>
 
 #include <ompl/geometric/planners/fmt/BFMT.h>
 #include <ompl/geometric/planners/fmt/FMT.h>
@@ -41,16 +42,23 @@ Maker maker()
     };
 }
 
-const std::map<std::string, Maker> &omplPlanners()
+const std::map<std::string, Maker> &otherPlanners()
 {
-    static const std::map<std::string, Maker> planners = {
-        {"ABITstar", maker<og::ABITstar>()}, {"AITstar", maker<og::AITstar>()},
-        {"BFMT", maker<og::BFMT>()},         {"BITstar", maker<og::BITstar>()},
-        {"FMT", maker<og::FMT>()},           {"InformedRRTstar", maker<og::InformedRRTstar>()},
-        {"LazyPRM", maker<og::LazyPRM>()},   {"LazyPRMstar", maker<og::LazyPRMstar>()},
-        {"PRM", maker<og::PRM>()},           {"PRMstar", maker<og::PRMstar>()},
-        {"RRT", maker<og::RRT>()},           {"RRTConnect", maker<og::RRTConnect>()},
-        {"RRTsharp", maker<og::RRTsharp>()}, {"RRTstar", maker<og::RRTstar>()}};
+    static const std::map<std::string, Maker> planners = {{"ABITstar", maker<og::ABITstar>()},
+                                                          {"AITstar", maker<og::AITstar>()},
+                                                          {"BFMT", maker<og::BFMT>()},
+                                                          {"BITstar", maker<og::BITstar>()},
+                                                          {"FMT", maker<og::FMT>()},
+                                                          {"InformedRRTstar", maker<og::InformedRRTstar>()},
+                                                          {"LazyPRM", maker<og::LazyPRM>()},
+                                                          {"LazyPRMstar", maker<og::LazyPRMstar>()},
+                                                          {"PRM", maker<og::PRM>()},
+                                                          {"PRMstar", maker<og::PRMstar>()},
+                                                          {"RRT", maker<og::RRT>()},
+                                                          {"RRTConnect", maker<og::RRTConnect>()},
+                                                          {"RRTsharp", maker<og::RRTsharp>()},
+                                                          {"RRTstar", maker<og::RRTstar>()},
+                                                          {"SquareAStar", maker<seahex::SquareAStar>()}};
     return planners;
 }
 
@@ -59,22 +67,22 @@ const std::map<std::string, Maker> &omplPlanners()
 std::string plannerNames()
 {
     std::string names;
-    for (const auto &[name, make] : omplPlanners())
+    for (const auto &[name, make] : otherPlanners())
         names += (names.empty() ? "" : ", ") + name;
     return names;
 }
 
 bool isPlannerName(const std::string &name)
 {
-    return name == "HexAStar" || omplPlanners().count(name) > 0;
+    return name == "HexAStar" || otherPlanners().count(name) > 0;
 }
 
 ob::PlannerPtr makePlanner(const std::string &name, const ob::SpaceInformationPtr &si)
 {
     if (name == "HexAStar")
         return std::make_shared<seahex::HexAStar>(si);
-    const auto found = omplPlanners().find(name);
-    if (found == omplPlanners().end())
+    const auto found = otherPlanners().find(name);
+    if (found == otherPlanners().end())
         throw Failure(Exit::Usage, "there is no planner '" + name + "'; known are HexAStar, " + plannerNames());
     return found->second(si);
 }

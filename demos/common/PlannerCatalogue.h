@@ -7,7 +7,7 @@
 namespace demos
 {
 
-/// OMPL's planners that --planner knows, separated by commas; HexAStar is known besides.
+/// The planners that --planner knows besides HexAStar, OMPL's and SquareAStar, separated by commas.
 std::string plannerNames();
 
 bool isPlannerName(const std::string &name);

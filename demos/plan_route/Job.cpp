@@ -1,8 +1,8 @@
 #include "Job.h"
 
 #include "Navigable.h"
-#include "Scenario.h"
 #include "common/Arena.h"
+#include "common/ChengScenario.h"
 #include "common/Failure.h"
 #include "common/PlannerCatalogue.h"
 
@@ -51,10 +51,11 @@ std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, cons
     if (options.chengScenario)
     {
         if (options.pitch != 0.0)
-            demos::checkCellCount(options.pitch, cheng2020::columns * cheng2020::rows *
-                                                     std::pow(cheng2020::publishedPitchDeg() / options.pitch, 2));
+            demos::checkCellCount(options.pitch,
+                                  demos::cheng2020::columns * demos::cheng2020::rows *
+                                      std::pow(demos::cheng2020::publishedPitchDeg() / options.pitch, 2));
         arena.projection = seahex::Projection::plateCarree();
-        arena.lattice = cheng2020::lattice(options.pitch);
+        arena.lattice = demos::cheng2020::lattice(options.pitch);
         arena.scope = seahex::HazardScope::LandOnly;
     }
     return demos::makeArena(chart, arena);

@@ -1,6 +1,6 @@
 #include "Options.h"
 
-#include "Scenario.h"
+#include "common/ChengScenario.h"
 #include "common/CommandLine.h"
 #include "common/Failure.h"
 #include "common/OwnFiles.h"
@@ -59,7 +59,7 @@ void declare(CLI::App &app, Options &o, Texts &t)
     app.add_option("--metric", t.metric,
                    "what an edge costs: euclidean (metres) or lattice (steps between cells) [euclidean]")
         ->type_name("NAME");
-    app.add_option("--planner", o.planner, "HexAStar, or one of OMPL's on the same arena: " + demos::plannerNames())
+    app.add_option("--planner", o.planner, "HexAStar, or another on the same arena: " + demos::plannerNames())
         ->capture_default_str()
         ->type_name("NAME");
     app.add_option("--time", o.timeS, "time limit of the search, seconds; sampling planners use all of it")
@@ -148,11 +148,11 @@ void applyScenario(const CLI::App &app, Options &o, Texts &t)
         usage("--margin in metres has no meaning with --scenario cheng2020, whose frame is in degrees");
     o.chengScenario = true;
     if (o.charts.empty())
-        o.charts = {demos::ownChart(cheng2020::chart)};
+        o.charts = {demos::ownChart(demos::cheng2020::chart)};
     if (t.from.empty())
-        t.from = cheng2020::from;
+        t.from = demos::cheng2020::from;
     if (t.to.empty())
-        t.to = cheng2020::to;
+        t.to = demos::cheng2020::to;
     if (t.guidance.empty())
         t.guidance = "cheng";
     if (t.metric.empty())
@@ -170,7 +170,7 @@ void resolve(const CLI::App &app, Options &o, Texts &t)
     o.smoothing = !t.noSmoothing;
     const std::string guidance = t.guidance.empty() ? "distance" : t.guidance;
     if (!seahex::guidanceFromString(guidance))
-        usage("--guidance must be none, distance, cheng or tie_break, not '" + guidance + "'");
+        usage("--guidance must be one of " + seahex::guidanceNames() + ", not '" + guidance + "'");
     o.guidance = *seahex::guidanceFromString(guidance);
     const std::string metric = t.metric.empty() ? "euclidean" : t.metric;
     if (metric != "euclidean" && metric != "lattice")

@@ -3,13 +3,13 @@
 
 #include "benchmark_planners/Cores.h"
 #include "benchmark_planners/CostHistory.h"
-#include "benchmark_planners/Pairs.h"
 #include "benchmark_planners/RecordedPlanner.h"
 #include "benchmark_planners/Roster.h"
 #include "benchmark_planners/RunJudge.h"
-#include "benchmark_planners/Waters.h"
 #include "common/Arena.h"
 #include "common/Failure.h"
+#include "common/Pairs.h"
+#include "common/Waters.h"
 #include "support/AsciiWorld.h"
 
 #include "support/HexOracle.h"
@@ -39,6 +39,10 @@
 using namespace seahex;
 using namespace seahex::test;
 using namespace benchmark_planners;
+using demos::drawPairs;
+using demos::LargestWater;
+using demos::Pair;
+using demos::PairRules;
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -82,8 +86,8 @@ TEST(LargestWater, isTheLargerOfTwo)
     )");
     const LargestWater water(world.occupancy());
     EXPECT_EQ(water.cellCount(), 6);
-    EXPECT_TRUE(water.contains(world.cell('b')));
-    EXPECT_FALSE(water.contains(world.cell('a')));
+    EXPECT_TRUE(water.contains(toOffset(world.cell('b'))));
+    EXPECT_FALSE(water.contains(toOffset(world.cell('a'))));
     EXPECT_FALSE(water.contains({-1, 0}));
     EXPECT_FALSE(water.contains({1000, 1000}));
 }
@@ -100,8 +104,9 @@ TEST(LargestWater, isALargestSetOfCellsThatHangTogether)
                     for (const std::set<HexCoord> &cells : watersOf(*occupancy))
                     {
                         most = std::max(most, cells.size());
-                        const auto inside = std::count_if(cells.begin(), cells.end(),
-                                                          [&water](HexCoord cell) { return water.contains(cell); });
+                        const auto inside =
+                            std::count_if(cells.begin(), cells.end(),
+                                          [&water](HexCoord cell) { return water.contains(toOffset(cell)); });
                         EXPECT_TRUE(inside == 0 || static_cast<std::size_t>(inside) == cells.size());
                         EXPECT_TRUE(inside == 0 || water.cellCount() == inside);
                     }
@@ -131,7 +136,7 @@ TEST(Pairs, areWhatTheyPromise)
                         for (const Point &end : {pair.start, pair.goal})
                         {
                             EXPECT_TRUE(isFree(*occupancy, end, end));
-                            EXPECT_TRUE(water.contains(lattice.cellAt(end)));
+                            EXPECT_TRUE(water.contains(toOffset(lattice.cellAt(end))));
                             offCentre += (end - lattice.centre(lattice.cellAt(end))).norm() > 0.1 ? 1 : 0;
                         }
                         // The course as navigators count it: north is +y, clockwise.

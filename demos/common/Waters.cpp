@@ -1,17 +1,14 @@
 #include "Waters.h"
 
-#include <seahex/geometry/HexRing.h>
-
-namespace benchmark_planners
+namespace demos
 {
 
 using seahex::CellIndex;
-using seahex::HexCoord;
+using seahex::OffsetCoord;
 
-LargestWater::LargestWater(const seahex::HexOccupancy &occupancy)
+LargestWater::LargestWater(const seahex::Occupancy &occupancy)
     : lattice_(occupancy.lattice()), layout_(occupancy.layout()), water_(layout_.size(), 0)
 {
-    const std::vector<seahex::RingOffset> neighbours = seahex::ringOffsets(1);
     std::uint32_t waters = 0;
     std::vector<CellIndex> open;
     for (CellIndex first = 0; first < layout_.size(); ++first)
@@ -23,14 +20,17 @@ LargestWater::LargestWater(const seahex::HexOccupancy &occupancy)
         open.push_back(first);
         while (!open.empty())
         {
-            const HexCoord cell = layout_.cell(open.back());
+            const OffsetCoord cell = layout_.offset(open.back());
             open.pop_back();
             ++count;
             // The frame around the rectangle is blocked, so every neighbour of a free cell has an index.
-            for (const seahex::RingOffset &neighbour : neighbours)
+            for (const OffsetCoord neighbour : lattice_.neighbours(cell))
             {
-                const CellIndex next = layout_.index(cell + neighbour.offset);
-                if (occupancy.isBlockedAt(next) || water_[next] != 0)
+                // squares that share but a corner do not hang together
+                const bool isDiagonal =
+                    lattice_.squares() != nullptr && neighbour.row != cell.row && neighbour.column != cell.column;
+                const CellIndex next = layout_.index(neighbour);
+                if (isDiagonal || occupancy.isBlockedAt(next) || water_[next] != 0)
                     continue;
                 water_[next] = waters;
                 open.push_back(next);
@@ -44,9 +44,9 @@ LargestWater::LargestWater(const seahex::HexOccupancy &occupancy)
     }
 }
 
-bool LargestWater::contains(HexCoord cell) const
+bool LargestWater::contains(OffsetCoord cell) const
 {
     return largest_ != 0 && lattice_.contains(cell) && water_[layout_.index(cell)] == largest_;
 }
 
-}  // namespace benchmark_planners
+}  // namespace demos

@@ -1,14 +1,15 @@
 #include "Pairs.h"
 
-#include "common/Failure.h"
+#include "Failure.h"
 
 #include <seahex/world/SegmentValidity.h>
 
 #include <cmath>
 #include <optional>
 #include <random>
+#include <utility>
 
-namespace benchmark_planners
+namespace demos
 {
 namespace
 {
@@ -36,8 +37,15 @@ private:
 class PairDrawer
 {
 public:
-    PairDrawer(const seahex::HexOccupancy &occupancy, const LargestWater &water, const PairRules &rules)
-        : occupancy_(occupancy), water_(water), rules_(rules), box_(occupancy.lattice().bounds()), uniform_(rules.seed)
+    /// A water of one lattice.
+    struct Sea
+    {
+        const seahex::Occupancy *occupancy;
+        const LargestWater *water;
+    };
+
+    PairDrawer(std::vector<Sea> seas, const PairRules &rules)
+        : seas_(std::move(seas)), rules_(rules), box_(seas_.front().occupancy->lattice().bounds()), uniform_(rules.seed)
     {
     }
 
@@ -60,11 +68,10 @@ private:
         for (int i = 0; i < mostTries; ++i)
             if (const std::optional<Pair> pair = tryOnce(fromDeg, toDeg))
                 return *pair;
-        throw demos::Failure(demos::Exit::NotNavigable,
-                             "no start and goal were found with a course between " + demos::plain(fromDeg) + " and " +
-                                 demos::plain(toDeg) +
-                                 " degrees, in the chart's largest water, with no straight way, " +
-                                 "and far enough apart; a smaller --least-distance may help");
+        throw Failure(Exit::NotNavigable, "no start and goal were found with a course between " + plain(fromDeg) +
+                                              " and " + plain(toDeg) +
+                                              " degrees, in the chart's largest water, with no straight way, " +
+                                              "and far enough apart; a smaller --least-distance may help");
     }
 
     std::optional<Pair> tryOnce(double fromDeg, double toDeg)
@@ -75,18 +82,23 @@ private:
         const double course = uniform_.between(fromDeg, toDeg) * M_PI / 180.0;
         const double distance = uniform_.between(rules_.leastDistance * diagonal, diagonal);
         pair.goal = pair.start + distance * Point(std::sin(course), std::cos(course));
-        const bool isPair =
-            isInWater(pair.start) && isInWater(pair.goal) && !seahex::isFree(occupancy_, pair.start, pair.goal);
-        return isPair ? std::optional<Pair>(pair) : std::nullopt;
+        for (const Sea &sea : seas_)
+            if (!willDo(sea, pair))
+                return std::nullopt;
+        return pair;
     }
 
-    bool isInWater(const Point &p) const
+    bool willDo(const Sea &sea, const Pair &pair) const
     {
-        return water_.contains(occupancy_.lattice().cellAt(p)) && seahex::isFree(occupancy_, p, p);
+        const auto isInWater = [&sea](const Point &p)
+        {
+            return sea.water->contains(sea.occupancy->lattice().cellAt(p)) && seahex::isFree(*sea.occupancy, p, p);
+        };
+        return isInWater(pair.start) && isInWater(pair.goal) &&
+               !(rules_.needsDetour && seahex::isFree(*sea.occupancy, pair.start, pair.goal));
     }
 
-    const seahex::HexOccupancy &occupancy_;
-    const LargestWater &water_;
+    std::vector<Sea> seas_;
     PairRules rules_;
     seahex::Box box_;
     Uniform uniform_;
@@ -101,9 +113,22 @@ double Pair::courseDeg() const
     return course < 0.0 ? course + fullTurnDeg : course;
 }
 
-std::vector<Pair> drawPairs(const seahex::HexOccupancy &occupancy, const LargestWater &water, const PairRules &rules)
+std::vector<Pair> drawPairs(const seahex::Occupancy &occupancy, const LargestWater &water, const PairRules &rules)
 {
-    return PairDrawer(occupancy, water, rules).draw();
+    return PairDrawer({{&occupancy, &water}}, rules).draw();
 }
 
-}  // namespace benchmark_planners
+std::vector<Pair> drawPairs(const std::vector<const seahex::Occupancy *> &occupancies, const PairRules &rules)
+{
+    std::vector<LargestWater> waters;
+    waters.reserve(occupancies.size());
+    std::vector<PairDrawer::Sea> seas;
+    for (const seahex::Occupancy *occupancy : occupancies)
+    {
+        waters.emplace_back(*occupancy);
+        seas.push_back({occupancy, &waters.back()});
+    }
+    return PairDrawer(std::move(seas), rules).draw();
+}
+
+}  // namespace demos

@@ -1,8 +1,8 @@
-#include "Scenario.h"
+#include "ChengScenario.h"
 
 #include <cmath>
 
-namespace plan_route
+namespace demos
 {
 
 double cheng2020::publishedPitchDeg()
@@ -21,4 +21,4 @@ seahex::HexLattice cheng2020::lattice(double pitchDeg)
                               static_cast<std::int64_t>(std::ceil(rows * scale)));
 }
 
-}  // namespace plan_route
+}  // namespace demos

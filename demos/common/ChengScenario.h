@@ -2,7 +2,7 @@
 
 #include <seahex/geometry/HexLattice.h>
 
-namespace plan_route
+namespace demos
 {
 
 /// The scenario of [Cheng2020], decoded from its numbers: a plate carree lattice off Shangchuan, land only.
@@ -26,4 +26,4 @@ seahex::HexLattice lattice(double pitchDeg);
 
 }  // namespace cheng2020
 
-}  // namespace plan_route
+}  // namespace demos
