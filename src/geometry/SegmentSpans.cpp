@@ -54,15 +54,18 @@ SegmentSpans::SegmentSpans(const Lattice &lattice, const Point &a, const Point &
     const Point normal = length > 0.0 ? Point(d.y() / length, -d.x() / length) : Point(1.0, 0.0);
     support_ = farthestCorner(normal) + reach_ * normal;
 
-    firstRow_ = toIndex(std::ceil((low_.y() - halfHeight_ - reach_ - firstY_) / rowStep_));
-    lastRow_ = toIndex(std::floor((high_.y() + halfHeight_ + reach_ - firstY_) / rowStep_));
+    if (a.allFinite() && b.allFinite() && std::isfinite(radius))
+    {
+        firstRow_ = toIndex(std::ceil((low_.y() - halfHeight_ - reach_ - firstY_) / rowStep_));
+        lastRow_ = toIndex(std::floor((high_.y() + halfHeight_ + reach_ - firstY_) / rowStep_));
+    }
 }
 
 Point SegmentSpans::farthestCorner(const Point &normal) const
 {
     const double w = 0.5 * pitch_;
     if (!isHex_)
-        return {normal.x() < 0.0 ? -w : w, normal.y() < 0.0 ? -w : w};
+        return {w, normal.y() < 0.0 ? -w : w};  // a normal never points west
     Point corner(w, 0.5 * halfHeight_);
     for (const Point &other : {Point(w, -0.5 * halfHeight_), Point(0.0, halfHeight_), Point(0.0, -halfHeight_)})
         if (std::abs(normal.dot(other)) > std::abs(normal.dot(corner)))

@@ -20,27 +20,24 @@ Point Random::pointIn(const Box &box)
     return {x, real(box.min.y(), box.max.y())};
 }
 
-HexCoord Random::cellOf(const HexLattice &lattice)
+Point Random::pointOf(const Point &centre, const Point *corners, std::size_t count)
 {
-    const std::int64_t column = integer(0, lattice.columns() - 1);
-    return toCube({column, integer(0, lattice.rows() - 1)});
-}
-
-Point Random::pointOf(const HexLattice &lattice, HexCoord cell)
-{
-    const auto corners = lattice.corners(cell);
-    const Point &a = corners[static_cast<std::size_t>(integer(0, 5))];
-    const Point &b = corners[static_cast<std::size_t>(integer(0, 5))];
+    const auto corner = [&]() -> const Point &
+    {
+        return corners[integer(0, static_cast<std::int64_t>(count) - 1)];
+    };
+    const Point &a = corner();
+    const Point &b = corner();
     switch (integer(0, 7))
     {
         case 0:
-            return lattice.centre(cell);
+            return centre;
         case 1:
             return a;
         case 2:
             return a + unit() * (b - a);
         default:
-            return lattice.centre(cell) + unit() * (a + unit() * (b - a) - lattice.centre(cell));
+            return centre + unit() * (a + unit() * (b - a) - centre);
     }
 }
 

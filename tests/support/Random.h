@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <random>
@@ -32,11 +33,23 @@ public:
 
     Point pointIn(const Box &box);
     /// Any cell of the rectangle.
-    HexCoord cellOf(const HexLattice &lattice);
+    template <class LatticeType>
+    auto cellOf(const LatticeType &lattice)
+    {
+        const std::int64_t column = integer(0, lattice.columns() - 1);
+        return LatticeType::cell({column, integer(0, lattice.rows() - 1)});
+    }
     /// A point of the closed cell: most often inside, else on an edge, a corner, or the centre.
-    Point pointOf(const HexLattice &lattice, HexCoord cell);
+    template <class LatticeType>
+    Point pointOf(const LatticeType &lattice, typename LatticeType::Cell cell)
+    {
+        const auto corners = lattice.corners(cell);
+        return pointOf(lattice.centre(cell), corners.data(), corners.size());
+    }
 
 private:
+    Point pointOf(const Point &centre, const Point *corners, std::size_t count);
+
     std::uint64_t seed_;
     std::mt19937_64 engine_;
 };

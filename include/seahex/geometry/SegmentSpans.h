@@ -33,6 +33,7 @@ class SegmentSpans
 {
 public:
     /// @param radius  >= 0, in the plane's unit
+    /// A position or radius that is not finite has no rows.
     SegmentSpans(const Lattice &lattice, const Point &a, const Point &b, double radius = 0.0);
 
     /// traversalTolerance() of the segment.
@@ -60,8 +61,8 @@ private:
     Point low_;     // the segment's ends relative to the lattice's origin, x east and y south, the northern one first
     Point high_;
     Point support_;  // the point of cell + disc that goes farthest across the segment
-    std::int64_t firstRow_;
-    std::int64_t lastRow_;
+    std::int64_t firstRow_ = 0;
+    std::int64_t lastRow_ = -1;
 };
 
 /// Calls visit(cell) for every cell that the closed segment from a to b touches, a superset by at most the tolerance of

@@ -1,14 +1,18 @@
-#include "support/HexOracle.h"
+#include "support/CellOracle.h"
+
+#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/SquareLattice.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace seahex::test
 {
 namespace
 {
 
-using Vector = HexOracle::Vector;
+using Vector = LongVector;
 
 const long double root3 = std::sqrt(3.0L);
 
@@ -47,28 +51,50 @@ bool meet(Vector a, Vector b, Vector c, Vector d)
     return !apart(a, b, c, d) && !apart(c, d, a, b);
 }
 
-}  // namespace
-
-HexOracle::HexOracle(const HexLattice &lattice)
-    : pitch_(lattice.pitch()), northWest_{lattice.northWest().x(), lattice.northWest().y()}
+std::array<Vector, 6> cornersOf(const HexLattice &lattice)
 {
-    const long double side = pitch_ / root3;
-    for (std::size_t i = 0; i < 6; ++i)
-    {
-        const long double x[6] = {0, -1, -1, 0, 1, 1};
-        const long double y[6] = {2, 1, -1, -2, -1, 1};
-        corners_[i] = {x[i] * pitch_ / 2, y[i] * side / 2};
-    }
+    const long double w = lattice.pitch() / 2.0L;
+    const long double h = w / root3;
+    return {{{0, 2 * h}, {-w, h}, {-w, -h}, {0, -2 * h}, {w, -h}, {w, h}}};
 }
 
-HexOracle::Vector HexOracle::centre(HexCoord cell) const
+std::array<Vector, 4> cornersOf(const SquareLattice &lattice)
+{
+    const long double w = lattice.pitch() / 2.0L;
+    return {{{-w, w}, {-w, -w}, {w, -w}, {w, w}}};
+}
+
+/// In pitches from the lattice's north-west corner, southward.
+Vector centreInPitches(HexCoord cell)
 {
     const auto q = static_cast<long double>(cell.q);
     const auto s = static_cast<long double>(cell.s);
-    return {northWest_.x + pitch_ * (1 + q + s / 2), northWest_.y - pitch_ / root3 * (1 + 1.5L * s)};
+    return {1 + q + s / 2, (1 + 1.5L * s) / root3};
 }
 
-long double HexOracle::distance(const Point &from, const Point &to, HexCoord cell) const
+Vector centreInPitches(OffsetCoord cell)
+{
+    return {static_cast<long double>(cell.column) + 0.5L, static_cast<long double>(cell.row) + 0.5L};
+}
+
+}  // namespace
+
+template <class LatticeType>
+CellOracle<LatticeType>::CellOracle(const LatticeType &lattice)
+    : pitch_(lattice.pitch()), northWest_{lattice.northWest().x(), lattice.northWest().y()},
+      corners_(cornersOf(lattice))
+{
+}
+
+template <class LatticeType>
+LongVector CellOracle<LatticeType>::centre(Cell cell) const
+{
+    const Vector p = centreInPitches(cell);
+    return {northWest_.x + pitch_ * p.x, northWest_.y - pitch_ * p.y};
+}
+
+template <class LatticeType>
+long double CellOracle<LatticeType>::distance(const Point &from, const Point &to, Cell cell) const
 {
     // everything relative to the centre, where the cell is convex and contains the origin
     const Vector c = centre(cell);
@@ -76,10 +102,10 @@ long double HexOracle::distance(const Point &from, const Point &to, HexCoord cel
     const Vector b = Vector{to.x(), to.y()} - c;
     long double distance = std::numeric_limits<long double>::infinity();
     bool inside = true;
-    for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t i = 0; i < corners_.size(); ++i)
     {
         const Vector u = corners_[i];
-        const Vector v = corners_[(i + 1) % 6];
+        const Vector v = corners_[(i + 1) % corners_.size()];
         inside = inside && cross(v - u, a - u) >= 0;
         if (meet(a, b, u, v))
             return 0;
@@ -89,7 +115,8 @@ long double HexOracle::distance(const Point &from, const Point &to, HexCoord cel
     return inside ? 0 : distance;
 }
 
-bool HexOracle::isCentreInside(const Polygon &polygon, HexCoord cell) const
+template <class LatticeType>
+bool CellOracle<LatticeType>::isCentreInside(const Polygon &polygon, Cell cell) const
 {
     const Vector c = centre(cell);
     bool inside = false;
@@ -109,7 +136,8 @@ bool HexOracle::isCentreInside(const Polygon &polygon, HexCoord cell) const
     return inside;
 }
 
-long double HexOracle::distanceToRings(const Polygon &polygon, HexCoord cell) const
+template <class LatticeType>
+long double CellOracle<LatticeType>::distanceToRings(const Polygon &polygon, Cell cell) const
 {
     Shape rings;
     rings.areas = {polygon};
@@ -118,7 +146,8 @@ long double HexOracle::distanceToRings(const Polygon &polygon, HexCoord cell) co
     return least;
 }
 
-long double HexOracle::distance(const Shape &shape, HexCoord cell) const
+template <class LatticeType>
+long double CellOracle<LatticeType>::distance(const Shape &shape, Cell cell) const
 {
     long double least = std::numeric_limits<long double>::infinity();
     for (const Point &p : shape.points)
@@ -129,5 +158,8 @@ long double HexOracle::distance(const Shape &shape, HexCoord cell) const
             return 0;
     return least;
 }
+
+template class CellOracle<HexLattice>;
+template class CellOracle<SquareLattice>;
 
 }  // namespace seahex::test
