@@ -1,15 +1,11 @@
 #pragma once
 
 #include <seahex/route/Route.h>
+#include <seahex/route/SegmentPredicate.h>
 #include <seahex/world/Occupancy.h>
-
-#include <functional>
 
 namespace seahex
 {
-
-/// Is the straight segment between two points valid? Must be symmetric.
-using SegmentPredicate = std::function<bool(const Point &, const Point &)>;
 
 /// Pulls a route taut like a string.
 ///
