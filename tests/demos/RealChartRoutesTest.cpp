@@ -5,6 +5,7 @@
 
 #include "support/ChartOracle.h"
 #include "support/TestCharts.h"
+#include "support/TestData.h"
 
 #include <gtest/gtest.h>
 #include <ompl/util/Console.h>
@@ -168,7 +169,7 @@ protected:
             file_ = fs::path(SEAHEX_MAPS_DIR) / (name + ".000");
             return;
         }
-        SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+        SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
         file_ = charts / "noaa" / name / (name + ".000");
         if (!fs::exists(file_))
             GTEST_SKIP() << "there is no chart " << file_;

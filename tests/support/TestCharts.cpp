@@ -3,7 +3,6 @@
 #include <ogrsf_frmts.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -119,24 +118,6 @@ Dataset create(const char *driverName, const fs::path &path)
 }
 
 }  // namespace
-
-std::optional<fs::path> testCharts()
-{
-    const char *folder = std::getenv("SEAHEX_TEST_DATA");
-    if (folder == nullptr)
-        return std::nullopt;
-    fs::path charts = fs::path(folder) / "charts";
-    std::error_code error;
-    return fs::is_directory(charts, error) ? std::optional<fs::path>(charts) : std::nullopt;
-}
-
-std::string whyNoTestCharts()
-{
-    const char *folder = std::getenv("SEAHEX_TEST_DATA");
-    if (folder == nullptr)
-        return "the environment variable SEAHEX_TEST_DATA does not name the folder that holds charts/";
-    return "'" + std::string(folder) + "' (SEAHEX_TEST_DATA) holds no folder charts/";
-}
 
 TemporaryFolder::TemporaryFolder()
 {

@@ -1,26 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-/// Gives `folder` the folder of test charts, or skips the test with the reason where there is none.
-#define SEAHEX_TEST_CHARTS_OR_SKIP(folder)                                                                             \
-    if (!seahex::test::testCharts())                                                                                   \
-        GTEST_SKIP() << seahex::test::whyNoTestCharts();                                                               \
-    const std::filesystem::path folder = *seahex::test::testCharts()
-
 namespace seahex::test
 {
-
-/// `charts/` of the folder that the environment variable SEAHEX_TEST_DATA names; empty where there is none.
-std::optional<std::filesystem::path> testCharts();
-
-/// One sentence for a skipped test.
-std::string whyNoTestCharts();
 
 /// A folder of its own that is removed with all that is in it.
 class TemporaryFolder
