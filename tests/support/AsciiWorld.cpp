@@ -54,6 +54,20 @@ std::vector<Row> parseRows(const std::string &picture)
     return rows;
 }
 
+template <class LatticeType>
+auto makeOccupancy(const LatticeType &lattice, const std::vector<typename LatticeType::Cell> &blocked)
+{
+    const CellLayout layout(lattice.columns(), lattice.rows());
+    CellBits bits(layout);
+    bits.setOutside();
+    for (const auto cell : blocked)
+    {
+        const OffsetCoord offset = toOffset(cell);
+        bits.setSpan(offset.row, offset.column, offset.column);
+    }
+    return std::make_shared<const LatticeOccupancy<LatticeType>>(lattice, layout, bits.words());
+}
+
 }  // namespace
 
 AsciiWorld::AsciiWorld(const std::string &picture, double pitch, const Point &northWest)
@@ -79,33 +93,39 @@ AsciiWorld::AsciiWorld(const std::string &picture, double pitch, const Point &no
 
 std::shared_ptr<const HexOccupancy> occupancyWith(const HexLattice &lattice, const std::vector<HexCoord> &blocked)
 {
-    const CellLayout layout(lattice.columns(), lattice.rows());
-    CellBits bits(layout);
-    bits.setOutside();
-    for (const HexCoord cell : blocked)
-    {
-        const OffsetCoord offset = toOffset(cell);
-        bits.setSpan(offset.row, offset.column, offset.column);
-    }
-    return std::make_shared<const HexOccupancy>(lattice, layout, bits.words());
+    return makeOccupancy(lattice, blocked);
 }
 
-std::string toPicture(const HexOccupancy &occupancy, const std::vector<HexCoord> &path)
+std::shared_ptr<const SquareOccupancy> occupancyWith(const SquareLattice &lattice,
+                                                     const std::vector<OffsetCoord> &blocked)
 {
-    const HexLattice &lattice = occupancy.lattice();
+    return makeOccupancy(lattice, blocked);
+}
+
+std::string toPicture(const Occupancy &occupancy, const std::vector<OffsetCoord> &path)
+{
+    const Lattice &lattice = occupancy.lattice();
     std::string picture = "\n";
     for (std::int64_t row = 0; row < lattice.rows(); ++row)
     {
-        picture += row % 2 == 0 ? " " : "";
+        picture += lattice.hexagons() != nullptr && row % 2 == 0 ? " " : "";
         for (std::int64_t column = 0; column < lattice.columns(); ++column)
         {
-            const HexCoord cell = toCube({column, row});
+            const OffsetCoord cell{column, row};
             const bool onPath = std::find(path.begin(), path.end(), cell) != path.end();
             picture += onPath ? '*' : occupancy.isBlocked(cell) ? '#' : '.';
             picture += column + 1 < lattice.columns() ? " " : "\n";
         }
     }
     return picture;
+}
+
+std::string toPicture(const HexOccupancy &occupancy, const std::vector<HexCoord> &path)
+{
+    std::vector<OffsetCoord> cells;
+    for (const HexCoord cell : path)
+        cells.push_back(toOffset(cell));
+    return toPicture(static_cast<const Occupancy &>(occupancy), cells);
 }
 
 }  // namespace seahex::test

@@ -42,9 +42,12 @@ private:
 
 /// The occupancy of a lattice in which these cells, and no others of the rectangle, are blocked.
 std::shared_ptr<const HexOccupancy> occupancyWith(const HexLattice &lattice, const std::vector<HexCoord> &blocked);
+std::shared_ptr<const SquareOccupancy> occupancyWith(const SquareLattice &lattice,
+                                                     const std::vector<OffsetCoord> &blocked);
 
 /// The picture of an occupancy, the cells of `path` drawn as '*': for failures, and to compare with an expected
-/// picture.
+/// picture. Rows of squares are drawn without the shift.
+std::string toPicture(const Occupancy &occupancy, const std::vector<OffsetCoord> &path);
 std::string toPicture(const HexOccupancy &occupancy, const std::vector<HexCoord> &path = {});
 
 }  // namespace seahex::test

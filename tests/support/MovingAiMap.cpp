@@ -1,5 +1,8 @@
 #include "support/MovingAiMap.h"
 
+#include "support/AsciiWorld.h"
+
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -61,7 +64,7 @@ std::ifstream open(const std::filesystem::path &path)
     return in;
 }
 
-bool isPassable(char terrain, const Lines &lines)
+bool isTerrainPassable(char terrain, const Lines &lines)
 {
     constexpr std::string_view passable = ".GS";
     constexpr std::string_view blocked = "@OTW";
@@ -136,12 +139,22 @@ MovingAiMap MovingAiMap::read(std::istream &in, const std::string &name)
         if (static_cast<std::int64_t>(lines.line().size()) != columns)
             lines.fail(std::to_string(columns) + " cells expected, not " + std::to_string(lines.line().size()));
         for (const char terrain : lines.line())
-            passable.push_back(test::isPassable(terrain, lines));
+            passable.push_back(isTerrainPassable(terrain, lines));
     }
     while (lines.next())
         if (!lines.isBlank())
             lines.fail("the map has more than " + std::to_string(rows) + " rows");
     return {columns, rows, std::move(passable)};
+}
+
+std::shared_ptr<const SquareOccupancy> MovingAiMap::occupancy() const
+{
+    std::vector<OffsetCoord> blocked;
+    for (std::int64_t row = 0; row < rows_; ++row)
+        for (std::int64_t column = 0; column < columns_; ++column)
+            if (!isPassable({column, row}))
+                blocked.push_back({column, row});
+    return occupancyWith(SquareLattice(Point::Zero(), 1.0, columns_, rows_), blocked);
 }
 
 std::vector<MovingAiScenario> readMovingAiScenarios(const std::filesystem::path &path, const MovingAiMap &map)
@@ -164,6 +177,21 @@ std::vector<MovingAiScenario> readMovingAiScenarios(std::istream &in, const std:
         if (!lines.isBlank())
             scenarios.push_back(readScenario(lines, map));
     return scenarios;
+}
+
+std::vector<std::filesystem::path> movingAiMapsIn(const std::filesystem::path &folder)
+{
+    std::vector<std::filesystem::path> maps;
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".map")
+            maps.push_back(entry.path());
+    std::sort(maps.begin(), maps.end());
+    return maps;
+}
+
+std::filesystem::path scenariosOf(const std::filesystem::path &map)
+{
+    return map.string() + ".scen";
 }
 
 }  // namespace seahex::test

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <seahex/geometry/OffsetCoord.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,9 @@ public:
         return contains(cell) && passable_[static_cast<std::size_t>(cell.row * columns_ + cell.column)];
     }
 
+    /// The impassable cells as blocked ones, in squares of pitch 1.
+    std::shared_ptr<const SquareOccupancy> occupancy() const;
+
 private:
     MovingAiMap(std::int64_t columns, std::int64_t rows, std::vector<bool> passable);
 
@@ -58,5 +63,10 @@ struct MovingAiScenario
 std::vector<MovingAiScenario> readMovingAiScenarios(const std::filesystem::path &path, const MovingAiMap &map);
 /// The same from a stream, `name` in the place of the file's.
 std::vector<MovingAiScenario> readMovingAiScenarios(std::istream &in, const std::string &name, const MovingAiMap &map);
+
+/// The maps of a folder, in alphabetical order.
+std::vector<std::filesystem::path> movingAiMapsIn(const std::filesystem::path &folder);
+/// The file with the scenarios of a map, beside it.
+std::filesystem::path scenariosOf(const std::filesystem::path &map);
 
 }  // namespace seahex::test

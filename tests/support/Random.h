@@ -68,5 +68,6 @@ void forEachSeed(std::uint64_t count, Body &&body)
 
 /// An occupancy in which each cell is blocked with the given probability.
 std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density);
+std::shared_ptr<const SquareOccupancy> randomOccupancy(Random &random, const SquareLattice &lattice, double density);
 
 }  // namespace seahex::test
