@@ -1,11 +1,46 @@
 #include "CellImage.h"
 
+#include "CellCorners.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace seahex
 {
+
+namespace
+{
+
+// The first pixel whose centre lies at or beyond a place along an axis of `count` pixels.
+int clampedPixel(double place, int count)
+{
+    return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, static_cast<double>(count)));
+}
+
+// Where a horizontal line enters and leaves a convex polygon. Cells that share an edge find the same place on it, as
+// both reckon from its upper end: no pixel between them is left out or painted twice.
+template <class Corners>
+std::pair<double, double> crossings(const Corners &corners, double y)
+{
+    std::pair<double, double> ends{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+        Point upper = corners[i];
+        Point lower = corners[(i + 1) % corners.size()];
+        if (upper.y() > lower.y())
+            std::swap(upper, lower);
+        if (y < upper.y() || y >= lower.y())
+            continue;
+        const double x = upper.x() + (lower.x() - upper.x()) * ((y - upper.y()) / (lower.y() - upper.y()));
+        ends = {std::min(ends.first, x), std::max(ends.second, x)};
+    }
+    return ends;
+}
+
+}  // namespace
 
 CellImage::CellImage(const PictureFrame &frame)
     : frame_(frame), width_(static_cast<int>(std::lround(frame.map.max.x() - frame.map.min.x()))),
@@ -21,31 +56,21 @@ CellImage::CellImage(const PictureFrame &frame)
     stride_ = cairo_image_surface_get_stride(surface_.get()) / 4;
 }
 
-void CellImage::paintCell(const HexLattice &lattice, HexCoord cell, std::uint32_t argb)
+void CellImage::paintCell(const Lattice &lattice, OffsetCoord cell, std::uint32_t argb)
 {
-    const Point centre = frame_.toPage(lattice.centre(cell)) - frame_.map.min;
-    const double halfWidth = 0.5 * lattice.pitch() * frame_.pxPerUnitX;
-    const double halfHeight = lattice.side() * frame_.pxPerUnitY;
-    if (centre.x() + halfWidth < 0 || centre.x() - halfWidth > width_ || centre.y() + halfHeight < 0 ||
-        centre.y() - halfHeight > height_)
-        return;
-
-    const int firstRow = std::max(0, static_cast<int>(std::ceil(centre.y() - halfHeight - 0.5)));
-    const int lastRow = std::min(height_ - 1, static_cast<int>(std::floor(centre.y() + halfHeight - 0.5)));
-    for (int y = firstRow; y <= lastRow; ++y)
+    boost::container::static_vector<Point, 6> corners;
+    for (const CellCorner corner : cornersOf(lattice, cell))
+        corners.push_back(frame_.toPage(toPlane(lattice, corner)) - frame_.map.min);
+    // The first corner is a northernmost one, the opposite a southernmost.
+    const int end = clampedPixel(corners[corners.size() / 2].y(), height_);
+    for (int y = clampedPixel(corners.front().y(), height_); y < end; ++y)
     {
-        // A pointy-top cell is full width in its middle half and tapers to its tips.
-        const double fromTip = halfHeight - std::abs(y + 0.5 - centre.y());
-        const double reach = halfWidth * std::min(1.0, 2.0 * fromTip / halfHeight);
-        const int from = std::max(0, static_cast<int>(std::ceil(centre.x() - reach - 0.5)));
-        const int to = std::min(width_, static_cast<int>(std::ceil(centre.x() + reach - 0.5)));
-        if (from < to)
-            std::fill(row(y) + from, row(y) + to, argb);
+        const auto [west, east] = crossings(corners, y + 0.5);
+        std::fill(row(y) + clampedPixel(west, width_), row(y) + clampedPixel(east, width_), argb);
     }
-    const int x = static_cast<int>(std::floor(centre.x()));
-    const int y = static_cast<int>(std::floor(centre.y()));
-    if (x >= 0 && x < width_ && y >= 0 && y < height_)
-        row(y)[x] = argb;
+    const Point centre = frame_.toPage(lattice.centre(cell)) - frame_.map.min;
+    if (centre.x() >= 0.0 && centre.x() < width_ && centre.y() >= 0.0 && centre.y() < height_)
+        row(static_cast<int>(centre.y()))[static_cast<int>(centre.x())] = argb;
 }
 
 void CellImage::paintRim(std::uint32_t argb)

@@ -2,6 +2,8 @@
 
 #include "PictureCanvas.h"
 
+#include "seahex/geometry/Lattice.h"
+
 #include <cstdint>
 
 namespace seahex
@@ -14,8 +16,8 @@ public:
     explicit CellImage(const PictureFrame &frame);
 
     /// Paints the pixels whose centre lies in the cell and the one in which the cell's centre lies. The last colour
-    /// wins.
-    void paintCell(const HexLattice &lattice, HexCoord cell, std::uint32_t argb);
+    /// wins. A pixel's centre on the border of several cells lies in exactly one of them.
+    void paintCell(const Lattice &lattice, OffsetCoord cell, std::uint32_t argb);
 
     /// Gives every painted pixel beside one that isn't painted (none of the image's own border) this colour.
     void paintRim(std::uint32_t argb);

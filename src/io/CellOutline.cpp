@@ -1,7 +1,6 @@
 #include "CellOutline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 
@@ -11,13 +10,18 @@ namespace seahex
 namespace
 {
 
+// A piece of the boundary, the cell on its right.
+struct Edge
+{
+    CellCorner from;
+    CellCorner to;
+    OffsetCoord cell;
+};
+
 std::uint64_t key(CellCorner c)
 {
     return (static_cast<std::uint64_t>(c.x) << 32) ^ static_cast<std::uint32_t>(c.y);
 }
-
-// The neighbour beyond the edge from corner i to corner i + 1 of cornersOf: north-east first, then clockwise.
-constexpr std::array<HexCoord, 6> beyondEdge{{{1, -1}, {1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}}};
 
 std::int64_t clampedFloor(double value, std::int64_t least, std::int64_t most)
 {
@@ -25,9 +29,30 @@ std::int64_t clampedFloor(double value, std::int64_t least, std::int64_t most)
         std::clamp(std::floor(value), static_cast<double>(least), static_cast<double>(most)));
 }
 
+std::vector<Edge> boundaryOf(const Lattice &lattice, const CellWindow &window,
+                             const std::function<bool(OffsetCoord)> &inside)
+{
+    std::vector<Edge> edges;
+    for (std::int64_t row = window.firstRow; row <= window.lastRow; ++row)
+        for (std::int64_t column = window.firstColumn; column <= window.lastColumn; ++column)
+        {
+            const OffsetCoord cell{column, row};
+            if (!inside(cell))
+                continue;
+            const CellCorners corners = cornersOf(lattice, cell);
+            for (std::size_t i = 0; i < corners.size(); ++i)
+            {
+                const OffsetCoord neighbour = cellBeyond(lattice, cell, i);
+                if (!window.contains(neighbour) || !inside(neighbour))
+                    edges.push_back({corners[i], corners[(i + 1) % corners.size()], cell});
+            }
+        }
+    return edges;
+}
+
 }  // namespace
 
-CellWindow windowOver(const HexLattice &lattice, const Box &box)
+CellWindow windowOver(const Lattice &lattice, const Box &box)
 {
     const Box bounds = lattice.bounds();
     if ((box.min.array() > bounds.max.array()).any() || (box.max.array() < bounds.min.array()).any())
@@ -39,46 +64,29 @@ CellWindow windowOver(const HexLattice &lattice, const Box &box)
     };
     const auto row = [&](double y, double slack)
     {
-        return clampedFloor((origin.y() - y) / (1.5 * lattice.side()) + slack, -1, lattice.rows());
+        return clampedFloor((origin.y() - y) / lattice.rowStep() + slack, -1, lattice.rows());
     };
     return {column(box.min.x(), -1.0), column(box.max.x(), 1.0), row(box.max.y(), -1.0), row(box.min.y(), 1.0)};
 }
 
-Point toPlane(const HexLattice &lattice, CellCorner corner)
+std::vector<std::vector<CellCorner>> outlineOf(const Lattice &lattice, const CellWindow &window,
+                                               const std::function<bool(OffsetCoord)> &inside)
 {
-    return {lattice.northWest().x() + 0.5 * lattice.pitch() * static_cast<double>(corner.x),
-            lattice.northWest().y() - 0.5 * lattice.side() * static_cast<double>(corner.y)};
-}
+    const std::vector<Edge> edges = boundaryOf(lattice, window, inside);
+    std::unordered_multimap<std::uint64_t, std::size_t> edgesFrom;
+    edgesFrom.reserve(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        edgesFrom.emplace(key(edges[i].from), i);
 
-std::array<CellCorner, 6> cornersOf(OffsetCoord cell)
-{
-    const std::int64_t x = 2 * cell.column + ((cell.row & 1) != 0 ? 1 : 2);
-    const std::int64_t y = 3 * cell.row;
-    return {{{x, y}, {x + 1, y + 1}, {x + 1, y + 3}, {x, y + 4}, {x - 1, y + 3}, {x - 1, y + 1}}};
-}
-
-std::vector<std::vector<CellCorner>> outlineOf(const CellWindow &window, const std::function<bool(OffsetCoord)> &inside)
-{
-    // Three cells meet at every corner, so a boundary passes each corner at most once: from a corner there is one way
-    // on.
-    std::vector<std::pair<CellCorner, CellCorner>> edges;
-    std::unordered_map<std::uint64_t, std::size_t> edgeFrom;
-    for (std::int64_t row = window.firstRow; row <= window.lastRow; ++row)
-        for (std::int64_t column = window.firstColumn; column <= window.lastColumn; ++column)
-        {
-            const OffsetCoord cell{column, row};
-            if (!inside(cell))
-                continue;
-            const std::array<CellCorner, 6> corners = cornersOf(cell);
-            for (std::size_t i = 0; i < 6; ++i)
-            {
-                const OffsetCoord neighbour = toOffset(toCube(cell) + beyondEdge[i]);
-                if (window.contains(neighbour) && inside(neighbour))
-                    continue;
-                edgeFrom.emplace(key(corners[i]), edges.size());
-                edges.emplace_back(corners[i], corners[(i + 1) % 6]);
-            }
-        }
+    // Where three cells meet there is one way on. Where four squares meet there may be two: the one along the same cell
+    // turns right, and so never across the other.
+    const auto next = [&](const Edge &edge)
+    {
+        const auto [first, last] = edgesFrom.equal_range(key(edge.to));
+        const auto along =
+            std::find_if(first, last, [&](const auto &way) { return edges[way.second].cell == edge.cell; });
+        return (along != last ? along : first)->second;
+    };
 
     std::vector<std::vector<CellCorner>> loops;
     std::vector<bool> walked(edges.size(), false);
@@ -87,10 +95,10 @@ std::vector<std::vector<CellCorner>> outlineOf(const CellWindow &window, const s
         if (walked[first])
             continue;
         std::vector<CellCorner> loop;
-        for (std::size_t edge = first; !walked[edge]; edge = edgeFrom.at(key(edges[edge].second)))
+        for (std::size_t edge = first; !walked[edge]; edge = next(edges[edge]))
         {
             walked[edge] = true;
-            loop.push_back(edges[edge].first);
+            loop.push_back(edges[edge].from);
         }
         loops.push_back(std::move(loop));
     }

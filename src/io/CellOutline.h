@@ -1,8 +1,7 @@
 #pragma once
 
-#include "seahex/geometry/HexLattice.h"
+#include "CellCorners.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -34,24 +33,12 @@ struct CellWindow
 
 /// The cells that touch the box, of the lattice and of one cell around it. Empty (no columns or no rows) if there are
 /// none.
-CellWindow windowOver(const HexLattice &lattice, const Box &box);
-
-/// A corner of cells, by whole numbers: x in half pitches, y in half sides, from the lattice's north-west corner to the
-/// south-east.
-struct CellCorner
-{
-    std::int64_t x = 0;
-    std::int64_t y = 0;
-};
-
-Point toPlane(const HexLattice &lattice, CellCorner corner);
-
-/// The corners of a cell, clockwise as seen with north up, from the northern tip.
-std::array<CellCorner, 6> cornersOf(OffsetCoord cell);
+CellWindow windowOver(const Lattice &lattice, const Box &box);
 
 /// The boundary of a set of cells of the window as closed loops (the first corner is not repeated), holes included.
-/// `inside` is asked for cells of the window only; all others count as outside.
-std::vector<std::vector<CellCorner>> outlineOf(const CellWindow &window,
+/// `inside` is asked for cells of the window only; all others count as outside. Loops may meet at a corner but never
+/// cross: squares that have only a corner in common stay apart.
+std::vector<std::vector<CellCorner>> outlineOf(const Lattice &lattice, const CellWindow &window,
                                                const std::function<bool(OffsetCoord)> &inside);
 
 }  // namespace seahex

@@ -80,7 +80,7 @@ std::unique_ptr<OGRGeometry> lineOf(const GeoRoute &route)
 }
 
 /// The closed cell, with longitudes that may run on past 180; the driver cuts and rounds them.
-std::unique_ptr<OGRGeometry> polygonOf(const HexLattice &lattice, HexCoord cell, const Projection &projection)
+std::unique_ptr<OGRGeometry> polygonOf(const Lattice &lattice, OffsetCoord cell, const Projection &projection)
 {
     auto ring = std::make_unique<OGRLinearRing>();
     for (const Point &corner : lattice.corners(cell))
@@ -168,7 +168,7 @@ void addFields(FeatureWriter &writer, const RouteFileContent &content)
     writer.addField("index", OFTInteger64);
     writer.addField("course_deg", OFTReal);
     writer.addField("leg_length_m", OFTReal);
-    for (const char *coordinate : {"q", "r", "s"})
+    for (const char *coordinate : {"q", "r", "s", "column", "row"})
         writer.addField(coordinate, OFTInteger64);
     for (const auto &[name, value] : content.numbers)
         writer.addField(name, OFTReal);
@@ -207,19 +207,35 @@ void writeWaypoints(FeatureWriter &writer, const GeoRoute &route)
     }
 }
 
-void writeBlockedCells(FeatureWriter &writer, const HexOccupancy &blocked, const Projection &projection)
+void nameCell(OGRFeature &feature, const Lattice &lattice, OffsetCoord cell)
 {
-    const HexLattice &lattice = blocked.lattice();
+    const auto set = [&feature](const char *name, std::int64_t value)
+    {
+        feature.SetField(name, static_cast<GIntBig>(value));
+    };
+    if (lattice.squares() != nullptr)
+    {
+        set("column", cell.column);
+        set("row", cell.row);
+        return;
+    }
+    const HexCoord cube = toCube(cell);
+    set("q", cube.q);
+    set("r", cube.r());
+    set("s", cube.s);
+}
+
+void writeBlockedCells(FeatureWriter &writer, const Occupancy &blocked, const Projection &projection)
+{
+    const Lattice &lattice = blocked.lattice();
     for (std::int64_t row = 0; row < lattice.rows(); ++row)
         for (std::int64_t column = 0; column < lattice.columns(); ++column)
         {
-            const HexCoord cell = toCube({column, row});
+            const OffsetCoord cell{column, row};
             if (blocked.isFree(cell))
                 continue;
             const auto feature = writer.feature("blocked_cell");
-            feature->SetField("q", static_cast<GIntBig>(cell.q));
-            feature->SetField("r", static_cast<GIntBig>(cell.r()));
-            feature->SetField("s", static_cast<GIntBig>(cell.s));
+            nameCell(*feature, lattice, cell);
             writer.write(*feature, polygonOf(lattice, cell, projection));
         }
 }

@@ -6,7 +6,7 @@
 namespace seahex
 {
 
-/// The cells of a picture: as outlines of hexagons where few are in view, as an image of the map's pixels otherwise.
+/// The cells of a picture: as outlines where few are in view, as an image of the map's pixels otherwise.
 class PictureCells
 {
 public:
@@ -25,18 +25,16 @@ public:
 
 private:
     bool asOutlines() const;
-    Point cornerOnPage(CellCorner corner) const;
     void addLoops(const std::vector<std::vector<CellCorner>> &loops);
     void outlineExpanded();
     void paintExpanded();
     Box latticeOnPage() const;
     void drawOutside();
-    void addZigzags();
-    void addUprights();
 
     PictureCanvas &canvas_;
     const PictureContent &content_;
-    const HexOccupancy &occupancy_;
+    const Occupancy &occupancy_;
+    const Lattice &lattice_;
     CellWindow window_;
 };
 

@@ -1,6 +1,6 @@
 #include "PictureLegend.h"
 
-#include "CellOutline.h"
+#include "CellCorners.h"
 #include "PictureMap.h"
 
 #include "seahex/io/ScaleBar.h"
@@ -99,22 +99,40 @@ Entry lineEntry(const std::string &text, void (*strokeLine)(PictureCanvas &))
             }};
 }
 
-// Two cells, one over deep water and one over what may lie below it.
-void drawSampleCells(PictureCanvas &canvas, const Box &box, const Colour &second)
+// Two cells of the lattice's kind side by side, sized to the box: calls draw(which) with the path of each.
+template <class Draw>
+void forEachSampleCell(PictureCanvas &canvas, const Box &box, const Lattice &lattice, Draw &&draw)
 {
-    const HexLattice sample({0.0, 0.0}, 1.0, 2, 1);
+    const Lattice sample = lattice.squares() != nullptr ? Lattice(SquareLattice({0.0, 0.0}, 1.0, 2, 1))
+                                                        : Lattice(HexLattice({0.0, 0.0}, 1.0, 2, 1));
     const double pitch = (box.max.x() - box.min.x()) / 2.5;
+    const Point middle = 0.5 * (sample.centre({0, 0}) + sample.centre({1, 0}));
     for (std::int64_t column = 0; column < 2; ++column)
     {
-        for (const CellCorner corner : cornersOf({column, 0}))
+        for (const CellCorner corner : cornersOf(sample, {column, 0}))
         {
-            const Point p = pitch * toPlane(sample, corner);
-            cairo_line_to(canvas.cairo(), box.min.x() + p.x() - 0.25 * pitch, box.min.y() - p.y());
+            const Point p = pitch * (toPlane(sample, corner) - middle);
+            const Point page = 0.5 * (box.min + box.max) + Point(p.x(), -p.y());
+            cairo_line_to(canvas.cairo(), page.x(), page.y());
         }
         cairo_close_path(canvas.cairo());
-        canvas.fill(blend(column == 0 ? palette::water : second, palette::blocked, palette::blockedOpacity));
-        canvas.stroke(palette::blocked, 0.8, palette::blockedEdgeOpacity);
+        draw(column);
     }
+}
+
+// One over deep water and one over what may lie below it.
+Entry blockedEntry(const Lattice &lattice, const Colour &second)
+{
+    return {"blocked cells", [lattice, second](PictureCanvas &canvas, const Box &box)
+            {
+                forEachSampleCell(canvas, box, lattice,
+                                  [&](std::int64_t which)
+                                  {
+                                      canvas.fill(blend(which == 0 ? palette::water : second, palette::blocked,
+                                                        palette::blockedOpacity));
+                                      canvas.stroke(palette::blocked, 0.8, palette::blockedEdgeOpacity);
+                                  });
+            }};
 }
 
 void drawSampleDanger(PictureCanvas &canvas, const Box &box)
@@ -152,10 +170,7 @@ std::vector<Entry> entriesFor(const PictureContent &content)
     if (!content.shoals.empty())
         entries.push_back(areaEntry("too shallow", palette::shoal, palette::shoalEdge));
     const Colour below = content.shoals.empty() ? palette::water : palette::shoal;
-    entries.push_back({"blocked cells", [below](PictureCanvas &canvas, const Box &box)
-                       {
-                           drawSampleCells(canvas, box, below);
-                       }});
+    entries.push_back(blockedEntry(content.occupancy->lattice(), below));
     if (!content.dangers.empty())
         entries.push_back({"other hazards", drawSampleDanger});
     if (!content.expanded.empty())

@@ -262,6 +262,44 @@ TEST_F(GeoJson, BlockedCellsAreTheCellsOfTheRectangle)
     EXPECT_EQ(file.at("features").size(), 3U) << "no route, no waypoints";
 }
 
+TEST_F(GeoJson, BlockedSquaresAreNamedByColumnAndRow)
+{
+    const SquareLattice lattice(Point(-80.0, 60.0), 50.0, 4, 3);
+    const std::set<OffsetCoord> blocked{{1, 0}, {0, 1}, {3, 2}};
+    const CellLayout layout(4, 3);
+    std::vector<std::uint64_t> words(layout.wordCount(), ~std::uint64_t{0});
+    for (std::int64_t row = 0; row < 3; ++row)
+        for (std::int64_t column = 0; column < 4; ++column)
+            if (const CellIndex i = layout.index(OffsetCoord{column, row}); blocked.count({column, row}) == 0)
+                words[i >> 6] &= ~(std::uint64_t{1} << (i & 63));
+    const SquareOccupancy occupancy(lattice, layout, std::move(words));
+    const Projection projection = Projection::transverseMercator(GeoPoint::fromLatLon(-33.9, 151.2));
+    RouteFileContent content;
+    content.blocked = &occupancy;
+    content.projection = &projection;
+
+    std::set<OffsetCoord> found;
+    for (const json &feature : ofKind(written(content), "blocked_cell"))
+    {
+        const json &properties = feature.at("properties");
+        EXPECT_EQ(properties.size(), 3U) << properties;
+        const OffsetCoord cell{properties.at("column"), properties.at("row")};
+        EXPECT_TRUE(found.insert(cell).second) << properties;
+        const json &ring = feature.at("geometry").at("coordinates").at(0);
+        ASSERT_EQ(ring.size(), 5U);
+        EXPECT_GT(signedArea(ring), 0.0) << "RFC 7946 wants outer rings counter-clockwise";
+        const Point middle(-80.0 + 50.0 * (0.5 + static_cast<double>(cell.column)),
+                           60.0 - 50.0 * (0.5 + static_cast<double>(cell.row)));
+        for (const json &corner : ring)
+        {
+            const Point image = projection.forward(GeoPoint::fromLonLat(corner.at(0), corner.at(1)));
+            EXPECT_NEAR(std::abs(image.x() - middle.x()), 25.0, 0.02);
+            EXPECT_NEAR(std::abs(image.y() - middle.y()), 25.0, 0.02);
+        }
+    }
+    EXPECT_EQ(found, blocked);
+}
+
 TEST_F(GeoJson, LinesAcrossTheAntimeridianAreCut)
 {
     const GeoRoute route{{GeoPoint::fromLatLon(10.0, 179.5), GeoPoint::fromLatLon(11.0, -179.5),

@@ -11,11 +11,11 @@ namespace seahex
 namespace
 {
 
-std::shared_ptr<const HexOccupancy> allBlocked(const HexLattice &lattice)
+std::shared_ptr<const Occupancy> allBlocked(const Lattice &lattice)
 {
     const CellLayout layout(lattice.columns(), lattice.rows());
-    return std::make_shared<const HexOccupancy>(lattice, layout,
-                                                std::vector<std::uint64_t>(layout.wordCount(), ~std::uint64_t{0}));
+    return std::make_shared<const Occupancy>(lattice, layout,
+                                             std::vector<std::uint64_t>(layout.wordCount(), ~std::uint64_t{0}));
 }
 
 const Projection &metricFrame()

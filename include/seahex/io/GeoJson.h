@@ -26,7 +26,7 @@ struct RouteFileContent
 
     /// Blocked cells of the rectangle, "blocked_cell"; a million of them make a file of a third of a gigabyte and
     /// take about half a minute.
-    const HexOccupancy *blocked = nullptr;
+    const Occupancy *blocked = nullptr;
     const Projection *projection = nullptr;  ///< needed for the blocked cells
     /// Properties of the route: length_m, turns, ...; one that is not finite becomes null.
     std::map<std::string, double> numbers = {};
@@ -39,7 +39,7 @@ struct RouteFileContent
 /// - "waypoint", a Point each, with `index` (from 1), and with `course_deg` (rhumb line, clockwise from north) and
 ///   `leg_length_m` to the next one;
 /// - "raw_path", a LineString;
-/// - "blocked_cell", a Polygon each, with `q`, `r` and `s`.
+/// - "blocked_cell", a Polygon each, with `q`, `r` and `s` if it is a hexagon, `column` and `row` if it is a square.
 ///
 /// The word is the property `kind`.
 ///

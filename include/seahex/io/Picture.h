@@ -2,7 +2,6 @@
 
 #include <seahex/chart/Projection.h>
 #include <seahex/geometry/CellLayout.h>
-#include <seahex/geometry/HexLattice.h>
 #include <seahex/geometry/Shape.h>
 #include <seahex/world/Occupancy.h>
 
@@ -30,8 +29,8 @@ public:
 /// Points that are not finite are left out of the drawing.
 struct PictureContent
 {
-    Projection projection;                          ///< the frame of all that follows; gives graticule and scale bar
-    std::shared_ptr<const HexOccupancy> occupancy;  ///< never null
+    Projection projection;                       ///< the frame of all that follows; gives graticule and scale bar
+    std::shared_ptr<const Occupancy> occupancy;  ///< of hexagons or of squares; never null
 
     std::vector<const Shape *> land = {};     ///< areas, lines and points of land
     std::vector<const Shape *> shoals = {};   ///< areas too shallow for the vessel
@@ -59,7 +58,7 @@ struct PictureContent
 /// translucent tint that ends at the coast, so that what the any-touch rule takes away shows; everything outside the
 /// lattice is blocked and is tinted too. Graticule lines run through the projection and bend as it bends.
 ///
-/// Up to about 60,000 cells in view are drawn as outlines of hexagons. More are painted as one image (embedded in an
+/// Up to about 60,000 cells in view are drawn as outlines. More are painted as one image (embedded in an
 /// SVG) with a pixel tinted if its centre lies in a blocked cell or a blocked cell's centre lies in it: single cells
 /// far smaller than a pixel stay visible, and cells never cost more than their number.
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/Box.h>
 #include <seahex/geometry/Point.h>
 #include <seahex/io/Picture.h>
 
