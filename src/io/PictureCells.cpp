@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace seahex
 {
@@ -23,6 +24,12 @@ double moment(std::size_t i, std::size_t count)
 
 }  // namespace
 
+void strokePathCells(PictureCanvas &canvas)
+{
+    canvas.fill(palette::pathCell);
+    canvas.stroke(palette::route, 0.8);
+}
+
 PictureCells::PictureCells(PictureCanvas &canvas, const PictureContent &content)
     : canvas_(canvas), content_(content), occupancy_(*content.occupancy), lattice_(occupancy_.lattice()),
       window_(windowOver(lattice_, canvas.frame().plane))
@@ -34,18 +41,27 @@ bool PictureCells::asOutlines() const
     return window_.cellCount() <= mostOutlinedCells;
 }
 
-void PictureCells::addLoops(const std::vector<std::vector<CellCorner>> &loops)
+template <class Corners>
+void PictureCells::addLoop(const Corners &corners)
 {
-    for (const std::vector<CellCorner> &loop : loops)
+    cairo_new_sub_path(canvas_.cairo());
+    for (const CellCorner corner : corners)
     {
-        cairo_new_sub_path(canvas_.cairo());
-        for (const CellCorner corner : loop)
-        {
-            const Point page = toPage(canvas_.frame(), lattice_, corner);
-            cairo_line_to(canvas_.cairo(), page.x(), page.y());
-        }
-        cairo_close_path(canvas_.cairo());
+        const Point page = toPage(canvas_.frame(), lattice_, corner);
+        cairo_line_to(canvas_.cairo(), page.x(), page.y());
     }
+    cairo_close_path(canvas_.cairo());
+}
+
+void PictureCells::addOutlineOf(const std::function<bool(OffsetCoord)> &inside)
+{
+    for (const std::vector<CellCorner> &loop : outlineOf(lattice_, window_, inside))
+        addLoop(loop);
+}
+
+bool PictureCells::isInView(OffsetCoord cell) const
+{
+    return window_.contains(cell) && lattice_.contains(cell);
 }
 
 void PictureCells::drawExpanded()
@@ -65,7 +81,7 @@ void PictureCells::outlineExpanded()
     for (std::size_t i = 0; i < content_.expanded.size(); ++i)
     {
         const OffsetCoord cell = layout.offset(content_.expanded[i]);
-        if (!window_.contains(cell) || !lattice_.contains(cell))
+        if (!isInView(cell))
             continue;
         int &band = bandOf[window_.position(cell)];
         if (band < 0)
@@ -73,8 +89,7 @@ void PictureCells::outlineExpanded()
     }
     for (int band = 0; band < bands; ++band)
     {
-        addLoops(
-            outlineOf(lattice_, window_, [&](OffsetCoord cell) { return bandOf[window_.position(cell)] == band; }));
+        addOutlineOf([&](OffsetCoord cell) { return bandOf[window_.position(cell)] == band; });
         const Colour colour = expansionColour((band + 0.5) / bands);
         canvas_.fill(colour);
         canvas_.stroke(colour, 0.6);  // closes the hairline that smoothing leaves between two fills
@@ -92,10 +107,21 @@ void PictureCells::paintExpanded()
     for (std::size_t i = count; i-- > 0;)  // backwards: where several cells share a pixel, the earliest shows
     {
         const OffsetCoord cell = occupancy_.layout().offset(content_.expanded[i]);
-        if (window_.contains(cell) && lattice_.contains(cell))
+        if (isInView(cell))
             image.paintCell(lattice_, cell, shades[i * shades.size() / count]);
     }
     image.drawOn(canvas_);
+}
+
+// As outlines even where the others are an image, for a path has few; each by itself, so that they can be counted.
+void PictureCells::drawPathCells()
+{
+    // Of a cell named twice the even-odd rule would fill nothing.
+    const std::set<CellIndex> marked(content_.pathCells.begin(), content_.pathCells.end());
+    for (const CellIndex index : marked)
+        if (const OffsetCoord cell = occupancy_.layout().offset(index); isInView(cell))
+            addLoop(cornersOf(lattice_, cell));
+    strokePathCells(canvas_);
 }
 
 void PictureCells::drawBlocked()
@@ -106,7 +132,7 @@ void PictureCells::drawBlocked()
     canvas_.clip(latticeOnPage());
     if (asOutlines())
     {
-        addLoops(outlineOf(lattice_, window_, [this](OffsetCoord cell) { return occupancy_.isBlocked(cell); }));
+        addOutlineOf([this](OffsetCoord cell) { return occupancy_.isBlocked(cell); });
         canvas_.fill(palette::blocked, palette::blockedOpacity);
         canvas_.stroke(palette::blocked, 0.8, palette::blockedEdgeOpacity);
     }

@@ -3,6 +3,8 @@
 #include "CellOutline.h"
 #include "PictureCanvas.h"
 
+#include <functional>
+
 namespace seahex
 {
 
@@ -20,12 +22,18 @@ public:
     /// which is blocked anyway and keeps its colour.
     void drawBlocked();
 
+    /// The path's cells, opaque, in a light shade of the route's colour.
+    void drawPathCells();
+
     /// Faint edges of all cells, if these are large enough on the page to be told apart.
     void drawGrid();
 
 private:
     bool asOutlines() const;
-    void addLoops(const std::vector<std::vector<CellCorner>> &loops);
+    template <class Corners>
+    void addLoop(const Corners &corners);
+    void addOutlineOf(const std::function<bool(OffsetCoord)> &inside);
+    bool isInView(OffsetCoord cell) const;
     void outlineExpanded();
     void paintExpanded();
     Box latticeOnPage() const;
@@ -37,5 +45,8 @@ private:
     const Lattice &lattice_;
     CellWindow window_;
 };
+
+/// Fills and strokes the current path as cells of the path; the legend's sample too.
+void strokePathCells(PictureCanvas &canvas);
 
 }  // namespace seahex

@@ -1,6 +1,7 @@
 #include "PictureLegend.h"
 
 #include "CellCorners.h"
+#include "PictureCells.h"
 #include "PictureMap.h"
 
 #include "seahex/io/ScaleBar.h"
@@ -24,6 +25,7 @@ constexpr double entryWidth = 268.0;
 constexpr double entryHeight = 34.0;
 constexpr std::size_t entriesAcross = 4;
 constexpr double swatchWidth = 34.0;
+constexpr double textGap = 10.0;           // before and after an entry's text
 constexpr double wideSwatchWidth = 150.0;  // takes the room of two entries
 
 const TextStyle small{14.0, false, false, 0.0, palette::ink};
@@ -31,6 +33,15 @@ const TextStyle small{14.0, false, false, 0.0, palette::ink};
 TextStyle aligned(TextStyle style, double align)
 {
     style.align = align;
+    return style;
+}
+
+// The style, smaller if the text would be wider than the room.
+TextStyle fitted(PictureCanvas &canvas, const std::string &text, TextStyle style, double room)
+{
+    const double width = canvas.textWidth(text, style);
+    if (width > room)
+        style.size *= room / width;
     return style;
 }
 
@@ -135,6 +146,14 @@ Entry blockedEntry(const Lattice &lattice, const Colour &second)
             }};
 }
 
+Entry pathCellsEntry(const Lattice &lattice)
+{
+    return {"cells of the path", [lattice](PictureCanvas &canvas, const Box &box)
+            {
+                forEachSampleCell(canvas, box, lattice, [&](std::int64_t) { strokePathCells(canvas); });
+            }};
+}
+
 void drawSampleDanger(PictureCanvas &canvas, const Box &box)
 {
     addDangerCross(canvas, 0.5 * (box.min + box.max));
@@ -162,9 +181,11 @@ std::vector<Entry> entriesFor(const PictureContent &content)
 {
     std::vector<Entry> entries;
     if (content.route.size() > 1)
-        entries.push_back(lineEntry("route", strokeRoute));
+        entries.push_back(lineEntry(content.routeName, strokeRoute));
     if (content.rawPath.size() > 1)
-        entries.push_back(lineEntry("path before smoothing", strokeRawPath));
+        entries.push_back(lineEntry(content.rawPathName, strokeRawPath));
+    if (!content.pathCells.empty())
+        entries.push_back(pathCellsEntry(content.occupancy->lattice()));
     if (!content.land.empty())
         entries.push_back(areaEntry("land", palette::land, palette::landEdge));
     if (!content.shoals.empty())
@@ -188,11 +209,9 @@ void drawTitle(PictureCanvas &canvas, const PictureContent &content)
     double baseline = 26.0 + 24.0;
     for (bool first = true; std::getline(lines, line); first = false)
     {
-        TextStyle style{first ? 27.0 : 18.0, first, false, 0.0, palette::ink};
-        const double width = canvas.textWidth(line, style);
-        if (width > canvas.units(right - left))
-            style.size *= canvas.units(right - left) / width;
-        canvas.text({canvas.units(left), canvas.units(baseline)}, line, style);
+        const TextStyle style{first ? 27.0 : 18.0, first, false, 0.0, palette::ink};
+        canvas.text({canvas.units(left), canvas.units(baseline)}, line,
+                    fitted(canvas, line, style, canvas.units(right - left)));
         baseline += first ? 29.0 : 25.0;
     }
 }
@@ -212,8 +231,9 @@ void drawLegend(PictureCanvas &canvas, const PictureContent &content)
                            frame.legendTop + canvas.units(18.0 + static_cast<double>(row) * entryHeight)};
         const Point size{canvas.units(entries[i].swatch), canvas.units(18.0)};
         entries[i].draw(canvas, {corner, corner + size});
-        canvas.text({corner.x() + size.x() + canvas.units(10.0), corner.y() + canvas.units(14.0)}, entries[i].text,
-                    small);
+        const double room = canvas.units((wide ? 2.0 : 1.0) * entryWidth - textGap) - size.x() - canvas.units(textGap);
+        canvas.text({corner.x() + size.x() + canvas.units(textGap), corner.y() + canvas.units(14.0)}, entries[i].text,
+                    fitted(canvas, entries[i].text, small, room));
     }
     if (!content.footer.empty())
         canvas.text({canvas.units(left), frame.heightPx - canvas.units(18.0)}, content.footer,

@@ -193,6 +193,7 @@ void drawMap(PictureCanvas &canvas, const PictureContent &content)
     fillAreas(canvas, content.shoals, palette::shoal);
     cells.drawExpanded();
     cells.drawBlocked();
+    cells.drawPathCells();
     drawCoast(canvas, content);
     cells.drawGrid();
     drawGraticule(canvas, content.projection);

@@ -368,6 +368,34 @@ TEST_P(PictureOfEitherLattice, LoopsOfAnSvgEncloseTheBlockedCellsAndNothingElse)
     EXPECT_NEAR(area / cellPx, belt + static_cast<double>(blocked.size()), 0.5) << "corners stand at eighths of pixels";
 }
 
+// Few cells in view, and so many that the others are an image.
+TEST_P(PictureOfEitherLattice, CellsOfThePathAreMarkedAndNoOthers)
+{
+    for (const std::int64_t columns : {30, 320})
+    {
+        const Lattice lattice = latticeOf({-3000.0, 2000.0}, 20.0, columns, 250);
+        PictureContent content{metricFrame(), occupancyOf(lattice, {})};
+        content.widthPx = 2000;
+        const CellLayout &layout = content.occupancy->layout();
+        const std::set<OffsetCoord> marked{{5, 5}, {6, 5}, {7, 6}, {8, 7}, {8, 9}};
+        for (const OffsetCoord cell : marked)
+            content.pathCells.push_back(layout.index(cell));
+        content.pathCells.push_back(layout.index(OffsetCoord{5, 5}));  // once more
+        content.pathCells.push_back(layout.index(OffsetCoord{-1, 7}));
+        content.expanded = {layout.index(OffsetCoord{6, 5})};
+        writePicture(path("path.png"), content);
+        const Image image(path("path.png"));
+        const PictureFrame frame = pictureFrame(content);
+        for (std::int64_t row = 3; row < 12; ++row)
+            for (std::int64_t column = 3; column < 12; ++column)
+            {
+                const Point page = frame.toPage(lattice.centre({column, row}));
+                const bool isMarked = marked.count({column, row}) != 0;
+                EXPECT_EQ(bool(isNear(image.around(page, 1), palette::pathCell, 8)), isMarked) << column << " " << row;
+            }
+    }
+}
+
 TEST(PictureOfSquares, BlockedSquaresThatShareOnlyACornerHaveOutlinesOfTheirOwn)
 {
     const PictureContent content{metricFrame(),

@@ -129,6 +129,42 @@ TEST_F(Picture, RouteAndRawPathHaveColoursOfTheirOwn)
     EXPECT_TRUE(isNear(image.at(Point(frame.toPage(*content.start))), palette::ink));
 }
 
+TEST_F(Picture, LegendNamesThePathsAsTheCallerDoesAndALongNameKeepsToItsRoom)
+{
+    const SmallWorld world;
+    PictureContent content = world.content();
+    content.route = {world.at({0, 1}), world.at({11, 1})};
+    content.rawPath = {world.at({0, 9}), world.at({11, 9})};
+    const auto drawn = [&](const std::string &route, const std::string &rawPath)
+    {
+        content.routeName = route;
+        content.rawPathName = rawPath;
+        writePicture(path("names.png"), content);
+        return Image(path("names.png"));
+    };
+    const Image image = drawn("A", "B");
+    const auto columnsThatDiffer = [&](const Image &other)
+    {
+        std::vector<int> columns;
+        for (int x = 0; x < image.width(); ++x)
+            for (int y = 0; y < image.height(); ++y)
+                if (image.at(x, y) != other.at(x, y))
+                {
+                    EXPECT_GT(y, pictureFrame(content).legendTop) << "names stand in the legend";
+                    columns.push_back(x);
+                    break;
+                }
+        return columns;
+    };
+    const std::vector<int> longName = columnsThatDiffer(drawn("A" + std::string(90, 'w'), "B"));
+    const std::vector<int> second = columnsThatDiffer(drawn("A", "C"));
+    ASSERT_FALSE(longName.empty());
+    ASSERT_FALSE(second.empty());
+    constexpr int sample = 44;  // left of the second name
+    EXPECT_LT(longName.back(), second.front() - sample);
+    EXPECT_LT(longName.front() + 150, longName.back());
+}
+
 TEST_F(Picture, SvgHoldsOutlinesForFewCellsAndAnImageForMany)
 {
     const SmallWorld world;

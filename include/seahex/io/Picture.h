@@ -40,8 +40,13 @@ struct PictureContent
     /// the first time counts; indices outside the rectangle are passed over.
     std::vector<CellIndex> expanded = {};
 
-    LineString rawPath = {};  ///< the planner's path
-    LineString route = {};    ///< the smoothed route
+    /// Cells to mark as the path's, as those at its waypoints or all that it touches. In no order; indices as above.
+    std::vector<CellIndex> pathCells = {};
+
+    LineString rawPath = {};                            ///< the planner's path, drawn thin
+    LineString route = {};                              ///< the smoothed route, drawn strong
+    std::string rawPathName = "path before smoothing";  ///< in the legend, one line, UTF-8
+    std::string routeName = "route";                    ///< likewise; a long name is set smaller
     std::optional<Point> start = std::nullopt;
     std::optional<Point> goal = std::nullopt;
 
@@ -60,7 +65,8 @@ struct PictureContent
 ///
 /// Up to about 60,000 cells in view are drawn as outlines. More are painted as one image (embedded in an
 /// SVG) with a pixel tinted if its centre lies in a blocked cell or a blocked cell's centre lies in it: single cells
-/// far smaller than a pixel stay visible, and cells never cost more than their number.
+/// far smaller than a pixel stay visible, and cells never cost more than their number. The path's cells are outlines in
+/// either case.
 ///
 /// The file appears complete or not at all: it is written beside its place and renamed.
 ///

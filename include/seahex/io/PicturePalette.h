@@ -30,6 +30,7 @@ inline constexpr Colour blocked{0.55, 0.16, 0.20};
 inline constexpr double blockedOpacity = 0.30;
 inline constexpr double blockedEdgeOpacity = 0.75;  ///< outlines of blocked cells, and pixels on the rim of an image
 inline constexpr Colour route{0.78, 0.0, 0.42};
+inline constexpr Colour pathCell{0.96, 0.62, 0.79};
 
 }  // namespace palette
 
