@@ -1,7 +1,7 @@
 #include "JobProcess.h"
 
-#include "WholeFile.h"
 #include "common/Failure.h"
+#include "common/WholeFile.h"
 
 #include <cerrno>
 #include <csignal>
@@ -52,7 +52,7 @@ JobProcess::JobProcess(const World &world, const Job &job, const ResultsFolder &
                        const CoreLease &core)
     : job_(job), isAlone_(isAlone),
       log_(isAlone ? folder.log(job.pair.number, job.planners.front()) : folder.log(job.pair.number)),
-      part_(partName(log_)), errors_(part_.string() + ".err"),
+      part_(demos::partName(log_)), errors_(part_.string() + ".err"),
       deadline_(begin_ + std::chrono::duration_cast<Clock::duration>(patience(job)))
 {
     std::fflush(nullptr);  // or the child would write the parent's buffers once more

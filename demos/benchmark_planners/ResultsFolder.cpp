@@ -1,7 +1,7 @@
 #include "ResultsFolder.h"
 
-#include "WholeFile.h"
 #include "common/Failure.h"
+#include "common/WholeFile.h"
 
 #include <cstdio>
 #include <system_error>
@@ -51,8 +51,8 @@ ResultsFolder::ResultsFolder(fs::path folder) : folder_(std::move(folder))
 void ResultsFolder::claim(const Json &manifest) const
 {
     const fs::path file = folder_ / "manifest.json";
-    writeWholeIfAbsent(file, manifest.dump(2) + "\n");
-    const Json there = Json::parse(readWhole(file), nullptr, false);
+    demos::writeWholeIfAbsent(file, manifest.dump(2) + "\n");
+    const Json there = Json::parse(demos::readWhole(file), nullptr, false);
     if (there != manifest)
         throw demos::Failure(demos::Exit::Usage,
                              "the folder " + folder_.string() +
@@ -65,7 +65,7 @@ bool ResultsFolder::isDone(unsigned pair) const
     std::error_code ignored;
     if (!fs::exists(record(pair), ignored))
         return false;
-    const Json there = Json::parse(readWhole(record(pair)), nullptr, false);
+    const Json there = Json::parse(demos::readWhole(record(pair)), nullptr, false);
     if (!there.is_object() || !there.contains("logs"))
         return false;
     for (const Json &log : there.at("logs"))
@@ -80,7 +80,7 @@ void ResultsFolder::write(const JobRecord &job) const
     for (const Crash &crash : job.crashes)
         crashes.push_back({{"planner", crash.planner}, {"how", crash.how}, {"said", crash.said}});
     const Json document = {{"pair", job.pair}, {"seconds", job.seconds}, {"logs", job.logs}, {"crashed", crashes}};
-    writeWhole(record(job.pair), document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    demos::writeWhole(record(job.pair), document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 fs::path ResultsFolder::log(unsigned pair) const

@@ -1,13 +1,13 @@
 #include "WholeFile.h"
 
-#include "common/Failure.h"
+#include "Failure.h"
 
 #include <fstream>
 #include <random>
 #include <sstream>
 #include <system_error>
 
-namespace benchmark_planners
+namespace demos
 {
 namespace
 {
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void cannot(const char *what, const fs::path &file)
 {
-    throw demos::Failure(demos::Exit::Usage, std::string("can't ") + what + " " + file.string());
+    throw Failure(Exit::Usage, std::string("can't ") + what + " " + file.string());
 }
 
 fs::path writePart(const fs::path &file, const std::string &text)
@@ -74,4 +74,4 @@ std::string readWhole(const fs::path &file)
     return text.str();
 }
 
-}  // namespace benchmark_planners
+}  // namespace demos

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "Measured.h"
+#include "common/Pairs.h"
+
+#include <optional>
+
+namespace reproduce_papers
+{
+
+/// A path by one method, and its numbers.
+struct Run
+{
+    Measured path;
+    double expanded = 0.0;
+    double searchMs = 0.0;
+};
+
+/// All methods that the claims are about, on one pair of start and goal.
+struct Trial
+{
+    // Straight lengths, the exact bound as the guide.
+    Run hex6;
+    Run hex18;
+    Run hex36;
+    Run square8;
+    Run square8OfArea;
+    // The same after the string was pulled.
+    Measured pulledHex6;
+    Measured pulledHex36;
+    Measured pulledSquare8;
+    // [Cheng2020]'s guide, and hops.
+    Run guidedHex6;
+    Run guidedSquare8;
+    Run stepsHex36;
+    Run hoppingHex36;
+    // All as [Cheng2020] has it: steps, its guide.
+    Run publishedHex6;
+    Run publishedHex18;
+    Run publishedHex36;
+
+    /// [Wang2017] on one kind of cells.
+    struct Wang
+    {
+        Run dijkstra;
+        Run aStar;
+        Run improved;
+        Measured smoothed;    ///< as the text says
+        Measured withMargin;  ///< as the program does
+        Measured pulled;
+    };
+    Wang squares;
+    Wang hexagons;
+};
+
+/// @return empty if one of the methods finds no path: the waters of the lattices differ
+std::optional<Trial> runTrial(const Sea &sea, const demos::Pair &pair);
+
+}  // namespace reproduce_papers
