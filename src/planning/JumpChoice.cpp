@@ -11,7 +11,9 @@ std::shared_ptr<const Jumps> makeJumps(const Lattice &lattice, const CellLayout 
 {
     if (lattice.squares() != nullptr)
         return std::make_shared<const SquareJumps>(layout, choice.neighbours, choice.rule);
-    const JumpSet set = choice.allJumps || !addsUp ? JumpSet::All : JumpSet::Primitive;
+    // a hop over blocked cells has no chain of shorter ones in its place
+    const bool canRepeat = addsUp && choice.rule == JumpRule::Safe;
+    const JumpSet set = choice.allJumps || !canRepeat ? JumpSet::All : JumpSet::Primitive;
     return std::make_shared<const HexJumps>(layout, choice.rings, set, choice.rule);
 }
 
