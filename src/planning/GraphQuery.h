@@ -244,7 +244,7 @@ private:
             if (parts_->cache->interrupted())
                 return Verdict::Interrupted;
             const auto leg = static_cast<unsigned int>(examined_);
-            if (!parts_->cache->ask(parts_->question.si->checkMotion(states->getState(leg), states->getState(leg + 1))))
+            if (!parts_->cache->askMotion(states->getState(leg), states->getState(leg + 1)))
             {
                 takeOut(examined_);
                 return Verdict::Mended;

@@ -145,6 +145,13 @@ public:
         return answer;
     }
 
+    /// Is the motion valid? It counts as many questions as it may be calls of the user's checker.
+    bool askMotion(const ompl::base::State *from, const ompl::base::State *to)
+    {
+        questions_ += si_->getStateSpace()->validSegmentCount(from, to);
+        return ask(si_->checkMotion(from, to));
+    }
+
 private:
     static constexpr std::uint8_t unknown = 0;
     static constexpr std::uint8_t valid = 1;
@@ -181,10 +188,8 @@ private:
     {
         embedding_.place(from_.get(), a, heading);
         embedding_.place(to_.get(), b, courseBetween(a, b));
-        // a motion may be many calls of the user's checker
-        questions_ += si_->getStateSpace()->validSegmentCount(from_.get(), to_.get());
         return (!embedding_.hasHeading() || ask(si_->isValid(to_.get()))) &&
-               (rule_ == JumpRule::Hopping || ask(si_->checkMotion(from_.get(), to_.get())));
+               (rule_ == JumpRule::Hopping || askMotion(from_.get(), to_.get()));
     }
 
     ompl::base::SpaceInformationPtr si_;

@@ -133,8 +133,7 @@ void QueryParts::tryJoin(const ob::State *state, OffsetCoord cell, bool isStart)
     placeCentre(state, cell, isStart);
     if (embedding.hasHeading() && !cache->ask(question.si->isValid(scratch_.get())))
         return;
-    if (cache->ask(isStart ? question.si->checkMotion(state, scratch_.get())
-                           : question.si->checkMotion(scratch_.get(), state)))
+    if (isStart ? cache->askMotion(state, scratch_.get()) : cache->askMotion(scratch_.get(), state))
         add(state, cell, isStart);
 }
 

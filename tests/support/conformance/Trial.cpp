@@ -28,6 +28,8 @@ constexpr std::chrono::seconds allTime(20);
 
 void noteQuestion(Observed &observed)
 {
+    if (observed.isJudging)
+        return;
     const int question = ++observed.questions;
     const int since = ++observed.sinceLook;
     if (since > observed.mostBetween)
@@ -128,6 +130,7 @@ ob::PlannerTerminationCondition Trial::condition(const std::function<bool(int)> 
         *count = 0;
     observed_->ended = false;
     observed_->timedOut = false;
+    observed_->isJudging = false;
     const auto look = [observed = observed_, stop, deadline = Clock::now() + allTime]
     {
         observed->sinceLook = 0;
@@ -156,6 +159,7 @@ ob::PlannerStatus Trial::solve(const ob::PlannerPtr &planner, const ob::PlannerT
     const ob::ProblemDefinitionPtr problem = planner->getProblemDefinition();
     const std::vector<ob::PlannerSolution> before = problem->getSolutions();
     const ob::PlannerStatus status = planner->solve(condition);
+    observed_->isJudging = true;
     expect(!observed_->timedOut, when + ": did not end within 20 s");
 
     bool added = false;

@@ -24,6 +24,7 @@ struct Observed
     std::atomic<int> mostBetween{0};      ///< most of them between two looks
     std::atomic<int> afterTheEnd{0};      ///< of them, those since the condition first held
     std::atomic<bool> ended{false};       ///< the condition held
+    std::atomic<bool> isJudging{false};   ///< questions are not the planner's, and not counted
     std::atomic<bool> timedOut{false};    ///< it held because 20 s were over, which nothing here takes
     std::function<void(int)> onQuestion;  ///< called with the number of the question
 };
