@@ -1,6 +1,7 @@
 #include "support/PlannerConformance.h"
 
 #include <seahex/planning/HexAStar.h>
+#include <seahex/planning/SquareAStar.h>
 
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/prm/PRMstar.h>
@@ -25,11 +26,24 @@ namespace
     return true;
 }();
 
-/// HexAStar; where there is no chart its cells are small enough for the arenas' gaps and not many.
-PlannerUnderTest hexAStar(const std::string &name, int rings, const std::function<void(HexAStar &)> &configure)
+/// What HexAStar and SquareAStar promise alike.
+PlannerUnderTest latticeAStar(const std::string &name)
 {
     PlannerUnderTest planner;
     planner.name = name;
+    planner.deterministic = true;
+    planner.finishes = true;
+    planner.questionsBetweenLooks = 120;  // a motion of half a turn, and 13 before it
+    planner.progress = {"best cost REAL", "lower bound REAL", "expanded INTEGER", "open INTEGER"};
+    planner.refusedSettings = {
+        {"guidance", "hope"}, {"guidance", ""}, {"jumps", "hop"}, {"jumps", ""}, {"cell_size", "-0.01"}};
+    return planner;
+}
+
+/// HexAStar; where there is no chart its cells are small enough for the arenas' gaps and not many.
+PlannerUnderTest hexAStar(const std::string &name, int rings, const std::function<void(HexAStar &)> &configure)
+{
+    PlannerUnderTest planner = latticeAStar(name);
     planner.make = [rings, configure](const ob::SpaceInformationPtr &si)
     {
         auto made = std::make_shared<HexAStar>(si);
@@ -38,13 +52,9 @@ PlannerUnderTest hexAStar(const std::string &name, int rings, const std::functio
         configure(*made);
         return made;
     };
-    planner.deterministic = true;
-    planner.finishes = true;
-    planner.questionsBetweenLooks = 640;  // 16 motions of up to 40 states
     planner.rings = rings;
-    planner.progress = {"best cost REAL", "lower bound REAL", "expanded INTEGER", "open INTEGER"};
-    planner.refusedSettings = {
-        {"rings", "0"}, {"rings", "4"}, {"guidance", "hope"}, {"guidance", ""}, {"cell_size", "-0.01"}};
+    planner.refusedSettings.insert(planner.refusedSettings.end(), {{"rings", "0"}, {"rings", "4"}});
+    planner.arenas = "(bay|strait|open|archipelago|ocean|discs) .*";
     return planner;
 }
 
@@ -73,15 +83,82 @@ std::vector<PlannerUnderTest> everyHexAStar()
         planner.setAllJumps(true);
         planner.setGuidance(Guidance::Cheng);  // which may miss the optimum
     };
+    // finer than the chart's cells, whose gaps are otherwise too narrow
+    const auto onSquares = [](HexAStar &planner)
+    {
+        planner.setCellSize(0.3);
+    };
     std::vector<PlannerUnderTest> planners = {
         hexAStar("as it comes", 3, asItComes),           hexAStar("neither anytime nor smoothing", 3, lattice),
         hexAStar("no guidance, no smoothing", 1, blind), hexAStar("not direct", 3, indirect),
-        hexAStar("approximate", 2, approximate),
+        hexAStar("approximate", 2, approximate),         hexAStar("on a chart of squares", 2, onSquares),
     };
     planners[1].optimal = true;
     planners[2].optimal = true;
     planners[4].rings = 0;
     planners[2].arenas = planners[4].arenas = "(bay|strait|discs) .*";
+    planners[5].arenas = "square bay in (R2|SE2)";
+    return planners;
+}
+
+PlannerUnderTest squareAStar(const std::string &name, int neighbours,
+                             const std::function<void(SquareAStar &)> &configure)
+{
+    PlannerUnderTest planner = latticeAStar(name);
+    planner.make = [neighbours, configure](const ob::SpaceInformationPtr &si)
+    {
+        auto made = std::make_shared<SquareAStar>(si);
+        made->setCellSize(1.0);
+        made->setNeighbours(neighbours);
+        configure(*made);
+        return made;
+    };
+    planner.neighbours = neighbours;
+    planner.refusedSettings.insert(planner.refusedSettings.end(),
+                                   {{"neighbours", "0"}, {"neighbours", "5"}, {"neighbours", "16"}});
+    planner.arenas = "(square .*|discs) in (R2|SE2)";
+    return planner;
+}
+
+std::vector<PlannerUnderTest> everySquareAStar()
+{
+    const auto asItComes = [](SquareAStar &) {
+    };
+    const auto lattice = [](SquareAStar &planner)
+    {
+        planner.setSmoothing(false);
+    };
+    const auto blind = [](SquareAStar &planner)
+    {
+        planner.setGuidance(Guidance::None);
+        planner.setSmoothing(false);
+    };
+    const auto indirect = [](SquareAStar &planner)
+    {
+        planner.setDirect(false);
+        planner.setGuidance(Guidance::TieBreak);
+    };
+    const auto approximate = [](SquareAStar &planner)
+    {
+        planner.setApproximate(true);
+        planner.setGuidance(Guidance::Wang);
+    };
+    const auto onHexagons = [](SquareAStar &planner)
+    {
+        planner.setCellSize(0.25);
+    };
+    std::vector<PlannerUnderTest> planners = {
+        squareAStar("as it comes", 8, asItComes),
+        squareAStar("no smoothing", 8, lattice),
+        squareAStar("4 neighbours, no guidance, no smoothing", 4, blind),
+        squareAStar("not direct", 8, indirect),
+        squareAStar("approximate", 8, approximate),
+        squareAStar("on a chart of hexagons", 8, onHexagons),
+    };
+    planners[1].optimal = true;
+    planners[2].optimal = true;
+    planners[4].arenas = "(square bay|discs) in (R2|SE2)";
+    planners[5].arenas = "bay in (R2|SE2)";
     return planners;
 }
 
@@ -180,6 +257,7 @@ std::vector<Case> everyCase()
     for (const PlannerCheck &check : plannerChecks())
     {
         cases.push_back({"HexAStar_" + check.name, everyHexAStar(), check});
+        cases.push_back({"SquareAStar_" + check.name, everySquareAStar(), check});
         cases.push_back({"BitStar_" + check.name, {bitStar()}, check});
         cases.push_back({"PrmStar_" + check.name, {prmStar()}, check});
     }

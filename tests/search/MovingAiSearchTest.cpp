@@ -1,7 +1,7 @@
 // The search on squares against the published optima of the MovingAI benchmark.
 
+#include "support/ExplicitGraph.h"
 #include "support/MovingAiMap.h"
-#include "support/SquareGraph.h"
 #include "support/SquareSearch.h"
 #include "support/TestData.h"
 
@@ -51,7 +51,7 @@ TEST(MovingAiSearch, withCornersCutCostsEqualDijkstras)
         const MovingAiMap map = MovingAiMap::read(path);
         const auto occupancy = map.occupancy();
         const SquareLattice &lattice = occupancy->lattice();
-        const ExplicitGraph graph = squareGraph(*occupancy, 8, true);
+        const ExplicitGraph graph = stepGraph(*occupancy, 8, JumpRule::Hopping);
         SquareSearch search(*occupancy, 8, JumpRule::Hopping, Guidance::Distance);
         // from one start to the goals of some scenarios
         const std::vector<MovingAiScenario> scenarios = readMovingAiScenarios(scenariosOf(path), map);

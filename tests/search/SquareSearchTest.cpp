@@ -2,8 +2,8 @@
 
 #include "support/SquareSearch.h"
 #include "support/AsciiWorld.h"
+#include "support/ExplicitGraph.h"
 #include "support/Random.h"
-#include "support/SquareGraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ TEST(SquareSearch, costsEqualDijkstrasForEveryMethod)
         for (const int neighbours : {4, 8})
             for (const JumpRule rule : {JumpRule::Safe, JumpRule::Hopping})
             {
-                const double expected = squareGraph(*occupancy, neighbours, rule == JumpRule::Hopping)
+                const double expected = stepGraph(*occupancy, neighbours, rule)
                                             .cheapest({{vertexOf(lattice, from), 0.0}}, {{vertexOf(lattice, to), 0.0}});
                 (std::isinf(expected) ? unreachable : reached) += 1;
                 for (const Guidance guidance : {Guidance::None, Guidance::Distance, Guidance::Euclidean,

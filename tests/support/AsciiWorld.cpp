@@ -6,6 +6,7 @@
 #include <cctype>
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
 namespace seahex::test
 {
@@ -32,6 +33,11 @@ Row parseRow(const std::string &line)
     return row;
 }
 
+/// How much farther east than odd rows even ones are drawn.
+template <class LatticeType>
+constexpr std::size_t indentOfEvenRows = std::is_same_v<LatticeType, HexLattice> ? 1 : 0;
+
+template <class LatticeType>
 std::vector<Row> parseRows(const std::string &picture)
 {
     std::vector<Row> rows;
@@ -48,14 +54,39 @@ std::vector<Row> parseRows(const std::string &picture)
     {
         if (rows[i].cells.size() != rows[0].cells.size())
             throw std::invalid_argument("the rows of a world must be of one length: " + rows[i].cells);
-        if (rows[i].indent + (i % 2 == 1 ? 1 : 0) != rows[0].indent)
-            throw std::invalid_argument("even rows are drawn one character farther east: " + rows[i].cells);
+        if (rows[i].indent + (i % 2 == 1 ? indentOfEvenRows<LatticeType> : 0) != rows[0].indent)
+            throw std::invalid_argument("a row is drawn too far to the east or west: " + rows[i].cells);
     }
     return rows;
 }
 
+}  // namespace
+
 template <class LatticeType>
-auto makeOccupancy(const LatticeType &lattice, const std::vector<typename LatticeType::Cell> &blocked)
+AsciiWorldOf<LatticeType>::AsciiWorldOf(const std::string &picture, double pitch, const Point &northWest)
+{
+    const std::vector<Row> rows = parseRows<LatticeType>(picture);
+    std::vector<Cell> blocked;
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        for (std::size_t column = 0; column < rows[row].cells.size(); ++column)
+        {
+            const char drawn = rows[row].cells[column];
+            const Cell cell = LatticeType::cell({static_cast<std::int64_t>(column), static_cast<std::int64_t>(row)});
+            if (drawn == '#')
+                blocked.push_back(cell);
+            else if (std::isalpha(static_cast<unsigned char>(drawn)) != 0)
+                named_[drawn] = cell;
+            else if (drawn != '.')
+                throw std::invalid_argument(std::string("a world has no cells drawn as ") + drawn);
+        }
+    const LatticeType lattice(northWest, pitch, static_cast<std::int64_t>(rows[0].cells.size()),
+                              static_cast<std::int64_t>(rows.size()));
+    occupancy_ = occupancyWith(lattice, blocked);
+}
+
+template <class LatticeType>
+std::shared_ptr<const LatticeOccupancy<LatticeType>>
+occupancyWith(const LatticeType &lattice, const std::vector<typename LatticeType::Cell> &blocked)
 {
     const CellLayout layout(lattice.columns(), lattice.rows());
     CellBits bits(layout);
@@ -68,50 +99,18 @@ auto makeOccupancy(const LatticeType &lattice, const std::vector<typename Lattic
     return std::make_shared<const LatticeOccupancy<LatticeType>>(lattice, layout, bits.words());
 }
 
-}  // namespace
-
-AsciiWorld::AsciiWorld(const std::string &picture, double pitch, const Point &northWest)
+template <class LatticeType>
+std::string toPicture(const LatticeOccupancy<LatticeType> &occupancy,
+                      const std::vector<typename LatticeType::Cell> &path)
 {
-    const std::vector<Row> rows = parseRows(picture);
-    std::vector<HexCoord> blocked;
-    for (std::size_t row = 0; row < rows.size(); ++row)
-        for (std::size_t column = 0; column < rows[row].cells.size(); ++column)
-        {
-            const char drawn = rows[row].cells[column];
-            const HexCoord cell = toCube({static_cast<std::int64_t>(column), static_cast<std::int64_t>(row)});
-            if (drawn == '#')
-                blocked.push_back(cell);
-            else if (std::isalpha(static_cast<unsigned char>(drawn)) != 0)
-                named_[drawn] = cell;
-            else if (drawn != '.')
-                throw std::invalid_argument(std::string("a world has no cells drawn as ") + drawn);
-        }
-    const HexLattice lattice(northWest, pitch, static_cast<std::int64_t>(rows[0].cells.size()),
-                             static_cast<std::int64_t>(rows.size()));
-    occupancy_ = occupancyWith(lattice, blocked);
-}
-
-std::shared_ptr<const HexOccupancy> occupancyWith(const HexLattice &lattice, const std::vector<HexCoord> &blocked)
-{
-    return makeOccupancy(lattice, blocked);
-}
-
-std::shared_ptr<const SquareOccupancy> occupancyWith(const SquareLattice &lattice,
-                                                     const std::vector<OffsetCoord> &blocked)
-{
-    return makeOccupancy(lattice, blocked);
-}
-
-std::string toPicture(const Occupancy &occupancy, const std::vector<OffsetCoord> &path)
-{
-    const Lattice &lattice = occupancy.lattice();
+    const LatticeType &lattice = occupancy.lattice();
     std::string picture = "\n";
     for (std::int64_t row = 0; row < lattice.rows(); ++row)
     {
-        picture += lattice.hexagons() != nullptr && row % 2 == 0 ? " " : "";
+        picture += std::string(row % 2 == 0 ? indentOfEvenRows<LatticeType> : 0, ' ');
         for (std::int64_t column = 0; column < lattice.columns(); ++column)
         {
-            const OffsetCoord cell{column, row};
+            const auto cell = LatticeType::cell({column, row});
             const bool onPath = std::find(path.begin(), path.end(), cell) != path.end();
             picture += onPath ? '*' : occupancy.isBlocked(cell) ? '#' : '.';
             picture += column + 1 < lattice.columns() ? " " : "\n";
@@ -120,12 +119,11 @@ std::string toPicture(const Occupancy &occupancy, const std::vector<OffsetCoord>
     return picture;
 }
 
-std::string toPicture(const HexOccupancy &occupancy, const std::vector<HexCoord> &path)
-{
-    std::vector<OffsetCoord> cells;
-    for (const HexCoord cell : path)
-        cells.push_back(toOffset(cell));
-    return toPicture(static_cast<const Occupancy &>(occupancy), cells);
-}
+template class AsciiWorldOf<HexLattice>;
+template class AsciiWorldOf<SquareLattice>;
+template std::shared_ptr<const HexOccupancy> occupancyWith(const HexLattice &, const std::vector<HexCoord> &);
+template std::shared_ptr<const SquareOccupancy> occupancyWith(const SquareLattice &, const std::vector<OffsetCoord> &);
+template std::string toPicture(const HexOccupancy &, const std::vector<HexCoord> &);
+template std::string toPicture(const SquareOccupancy &, const std::vector<OffsetCoord> &);
 
 }  // namespace seahex::test

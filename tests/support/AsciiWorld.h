@@ -1,6 +1,7 @@
 #pragma once
 
 #include <seahex/geometry/HexLattice.h>
+#include <seahex/geometry/SquareLattice.h>
 #include <seahex/world/Occupancy.h>
 
 #include <map>
@@ -19,35 +20,42 @@ namespace seahex::test
 ///          . . . B
 ///     )");
 ///
-/// '.' is free, '#' blocked, and a letter free and named. Even rows (the first one is row 0) are drawn one character
-/// farther to the east than odd ones, as they lie.
-class AsciiWorld
+/// '.' is free, '#' blocked, and a letter free and named. Even rows of hexagons (the first one is row 0) are drawn one
+/// character farther to the east than odd ones, as they lie; all rows of a SquareWorld begin at one place.
+template <class LatticeType>
+class AsciiWorldOf
 {
 public:
-    /// @throws std::invalid_argument if the picture is not as said above, or its rows differ in length
-    explicit AsciiWorld(const std::string &picture, double pitch = 1.0, const Point &northWest = Point::Zero());
+    using Cell = typename LatticeType::Cell;
 
-    const HexLattice &lattice() const { return occupancy_->lattice(); }
-    const HexOccupancy &occupancy() const { return *occupancy_; }
-    std::shared_ptr<const HexOccupancy> shared() const { return occupancy_; }
+    /// @throws std::invalid_argument if the picture is not as said above, or its rows differ in length
+    explicit AsciiWorldOf(const std::string &picture, double pitch = 1.0, const Point &northWest = Point::Zero());
+
+    const LatticeType &lattice() const { return occupancy_->lattice(); }
+    const LatticeOccupancy<LatticeType> &occupancy() const { return *occupancy_; }
+    std::shared_ptr<const LatticeOccupancy<LatticeType>> shared() const { return occupancy_; }
 
     /// The cell drawn as this letter. @throws std::out_of_range if there is none
-    HexCoord cell(char letter) const { return named_.at(letter); }
+    Cell cell(char letter) const { return named_.at(letter); }
     Point centre(char letter) const { return lattice().centre(cell(letter)); }
 
 private:
-    std::shared_ptr<const HexOccupancy> occupancy_;
-    std::map<char, HexCoord> named_;
+    std::shared_ptr<const LatticeOccupancy<LatticeType>> occupancy_;
+    std::map<char, Cell> named_;
 };
 
+using AsciiWorld = AsciiWorldOf<HexLattice>;
+using SquareWorld = AsciiWorldOf<SquareLattice>;
+
 /// The occupancy of a lattice in which these cells, and no others of the rectangle, are blocked.
-std::shared_ptr<const HexOccupancy> occupancyWith(const HexLattice &lattice, const std::vector<HexCoord> &blocked);
-std::shared_ptr<const SquareOccupancy> occupancyWith(const SquareLattice &lattice,
-                                                     const std::vector<OffsetCoord> &blocked);
+template <class LatticeType>
+std::shared_ptr<const LatticeOccupancy<LatticeType>>
+occupancyWith(const LatticeType &lattice, const std::vector<typename LatticeType::Cell> &blocked);
 
 /// The picture of an occupancy, the cells of `path` drawn as '*': for failures, and to compare with an expected
-/// picture. Rows of squares are drawn without the shift.
-std::string toPicture(const Occupancy &occupancy, const std::vector<OffsetCoord> &path);
-std::string toPicture(const HexOccupancy &occupancy, const std::vector<HexCoord> &path = {});
+/// picture.
+template <class LatticeType>
+std::string toPicture(const LatticeOccupancy<LatticeType> &occupancy,
+                      const std::vector<typename LatticeType::Cell> &path = {});
 
 }  // namespace seahex::test

@@ -6,6 +6,7 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace seahex::test
@@ -35,25 +36,25 @@ double ExplicitGraph::cheapest(const std::vector<Terminal> &starts, const std::v
     return best;
 }
 
-std::size_t vertexOf(const HexLattice &lattice, HexCoord cell)
+std::size_t vertexOf(const Lattice &lattice, OffsetCoord cell)
 {
-    const OffsetCoord offset = toOffset(cell);
-    return static_cast<std::size_t>(offset.row * lattice.columns() + offset.column);
+    return static_cast<std::size_t>(cell.row * lattice.columns() + cell.column);
 }
 
-ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric)
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric, JumpRule rule)
 {
     const HexLattice &lattice = occupancy.lattice();
-    return jumpGraph(occupancy, rings,
-                     [&](HexCoord from, HexCoord to)
-                     {
-                         if (metric == LengthMetric::Lattice)
-                             return static_cast<double>(hexDistance(from, to));
-                         return (lattice.centre(to) - lattice.centre(from)).norm() / lattice.pitch();
-                     });
+    const auto cost = [&](HexCoord from, HexCoord to)
+    {
+        if (metric == LengthMetric::Lattice)
+            return static_cast<double>(hexDistance(from, to));
+        return (lattice.centre(to) - lattice.centre(from)).norm() / lattice.pitch();
+    };
+    return jumpGraph(occupancy, rings, cost, rule);
 }
 
-ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, const std::function<double(HexCoord, HexCoord)> &cost)
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, const std::function<double(HexCoord, HexCoord)> &cost,
+                        JumpRule rule)
 {
     const HexLattice &lattice = occupancy.lattice();
     ExplicitGraph graph(static_cast<std::size_t>(lattice.cellCount()));
@@ -62,7 +63,10 @@ ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, const std::fun
         const std::int64_t steps = hexDistance(from, to);
         if (steps == 0 || steps > rings || !lattice.contains(to))
             return;
-        if (!forEachTouchedCell(from, to, [&](HexCoord cell) { return occupancy.isFree(cell); }))
+        const bool isValid = rule == JumpRule::Hopping
+                                 ? occupancy.isFree(from) && occupancy.isFree(to)
+                                 : forEachTouchedCell(from, to, [&](HexCoord cell) { return occupancy.isFree(cell); });
+        if (!isValid)
             return;
         graph.addEdge(vertexOf(lattice, from), vertexOf(lattice, to), cost(from, to));
     };
@@ -72,6 +76,43 @@ ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, const std::fun
                 for (std::int64_t s = -rings; s <= rings; ++s)
                     addJump(toCube({column, row}), toCube({column, row}) + HexCoord{q, s});
     return graph;
+}
+
+ExplicitGraph stepGraph(const SquareOccupancy &occupancy, int neighbours, JumpRule rule,
+                        const std::function<double(OffsetCoord, OffsetCoord)> &cost)
+{
+    const SquareLattice &lattice = occupancy.lattice();
+    ExplicitGraph graph(static_cast<std::size_t>(lattice.cellCount()));
+    const auto isStep = [&](OffsetCoord from, OffsetCoord to)
+    {
+        if (occupancy.isBlocked(from) || occupancy.isBlocked(to))
+            return false;
+        if (from.column == to.column || from.row == to.row)
+            return from != to;
+        if (neighbours == 4)
+            return false;
+        return rule == JumpRule::Hopping ||
+               (occupancy.isFree({from.column, to.row}) && occupancy.isFree({to.column, from.row}));
+    };
+    for (std::int64_t row = 0; row < lattice.rows(); ++row)
+        for (std::int64_t column = 0; column < lattice.columns(); ++column)
+            for (std::int64_t south = -1; south <= 1; ++south)
+                for (std::int64_t east = -1; east <= 1; ++east)
+                {
+                    const OffsetCoord from{column, row};
+                    const OffsetCoord to{column + east, row + south};
+                    if (isStep(from, to))
+                        graph.addEdge(vertexOf(lattice, from), vertexOf(lattice, to), cost(from, to));
+                }
+    return graph;
+}
+
+ExplicitGraph stepGraph(const SquareOccupancy &occupancy, int neighbours, JumpRule rule)
+{
+    return stepGraph(
+        occupancy, neighbours, rule,
+        [](OffsetCoord from, OffsetCoord to)
+        { return std::hypot(static_cast<double>(to.column - from.column), static_cast<double>(to.row - from.row)); });
 }
 
 }  // namespace seahex::test

@@ -39,16 +39,28 @@ private:
     std::vector<double> costs_;
 };
 
-/// Vertex number of a cell of the rectangle in a graph made by jumpGraph().
-std::size_t vertexOf(const HexLattice &lattice, HexCoord cell);
+/// Vertex number of a cell of the rectangle in the graphs below.
+std::size_t vertexOf(const Lattice &lattice, OffsetCoord cell);
+inline std::size_t vertexOf(const HexLattice &lattice, HexCoord cell)
+{
+    return vertexOf(lattice, toOffset(cell));
+}
 
-/// All jumps of up to `rings` steps between free cells whose straight segment touches free cells only, collinear
-/// repetitions included. Costs in cells: Euclidean length from centre to centre, or steps between neighbours. It knows
-/// nothing of HexRing and HexJumps.
-ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric);
+/// All jumps of up to `rings` steps between free hexagons whose straight segment touches free cells only, collinear
+/// repetitions included; where hopping is the rule, whatever lies between. Costs in cells: Euclidean length from centre
+/// to centre, or steps between neighbours. It knows nothing of HexRing and HexJumps.
+ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings, LengthMetric metric, JumpRule rule = JumpRule::Safe);
 
 /// The same jumps at a cost of one's own.
 ExplicitGraph jumpGraph(const HexOccupancy &occupancy, int rings,
-                        const std::function<double(HexCoord from, HexCoord to)> &cost);
+                        const std::function<double(HexCoord from, HexCoord to)> &cost, JumpRule rule = JumpRule::Safe);
+
+/// All steps between free squares that share an edge and, of 8 neighbours, between those that share a corner only, if
+/// the two others at that corner are free as well; where hopping is the rule, whatever these are.
+ExplicitGraph stepGraph(const SquareOccupancy &occupancy, int neighbours, JumpRule rule,
+                        const std::function<double(OffsetCoord from, OffsetCoord to)> &cost);
+
+/// The same at their Euclidean length in cells.
+ExplicitGraph stepGraph(const SquareOccupancy &occupancy, int neighbours, JumpRule rule = JumpRule::Safe);
 
 }  // namespace seahex::test

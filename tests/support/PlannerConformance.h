@@ -33,9 +33,11 @@ struct PlannerUnderTest
     /// Its path is the cheapest of a graph, so that a problem of several starts and goals costs as much as the best
     /// pair.
     bool optimal = false;
-    /// On a chart the cost is at most the optimum over the chart's jump graph of so many rings, and just that if
-    /// `optimal`; 0: nothing is said.
+    /// On a chart of hexagons the cost is at most the optimum over the chart's jump graph of so many rings, and just
+    /// that if `optimal`; 0: nothing is said.
     int rings = 0;
+    /// The same on a chart of squares, for steps to so many neighbours.
+    int neighbours = 0;
     /// Progress properties that are there, "words TYPE".
     std::vector<std::string> progress = {"best cost REAL"};
     /// Parameters and values that are refused.

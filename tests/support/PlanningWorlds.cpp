@@ -1,6 +1,6 @@
 #include "support/PlanningWorlds.h"
 
-#include "support/HexOracle.h"
+#include "support/CellOracle.h"
 
 #include <seahex/planning/HexStateSpace.h>
 #include <seahex/planning/OccupancyMotionValidator.h>
@@ -13,6 +13,7 @@
 #include <ompl/util/Console.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -43,16 +44,16 @@ ob::StateSpacePtr spaceWithin(const Box &bounds, SpaceKind kind)
     return space;
 }
 
-ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind)
+ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const Occupancy> &occupancy, SpaceKind kind)
 {
     return chartSpace(occupancy, kind, occupancy->lattice().bounds());
 }
 
-ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind,
-                                   const Box &bounds)
+ob::SpaceInformationPtr chartSpace(const std::shared_ptr<const Occupancy> &occupancy, SpaceKind kind, const Box &bounds)
 {
-    auto si = std::make_shared<ob::SpaceInformation>(kind == SpaceKind::Cells ? latticeSpace(*occupancy)
-                                                                              : spaceWithin(bounds, kind));
+    auto si = std::make_shared<ob::SpaceInformation>(kind == SpaceKind::Cells
+                                                         ? latticeSpace(dynamic_cast<const HexOccupancy &>(*occupancy))
+                                                         : spaceWithin(bounds, kind));
     si->setStateValidityChecker(std::make_shared<OccupancyValidityChecker>(si, occupancy));
     si->setMotionValidator(std::make_shared<OccupancyMotionValidator>(si, occupancy));
     si->setup();
@@ -86,15 +87,6 @@ ob::ProblemDefinitionPtr problemBetween(const ob::SpaceInformationPtr &si, const
     return problem;
 }
 
-std::shared_ptr<HexAStar> plannerFor(const ob::ProblemDefinitionPtr &problem)
-{
-    auto planner = std::make_shared<HexAStar>(problem->getSpaceInformation());
-    planner->setProblemDefinition(problem);
-    planner->setAnytime(false);
-    planner->setSmoothing(false);
-    return planner;
-}
-
 std::shared_ptr<og::PathGeometric> pathOf(const ob::ProblemDefinitionPtr &problem)
 {
     return std::dynamic_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
@@ -110,27 +102,47 @@ double lengthOf(const og::PathGeometric &path)
     return length;
 }
 
-long double distanceToBlocked(const HexOccupancy &occupancy, const Point &a, const Point &b)
+namespace
 {
-    const HexOracle oracle(occupancy.lattice());
+
+template <class LatticeType>
+long double distanceToBlocked(const Occupancy &occupancy, const LatticeType &lattice, const Point &a, const Point &b)
+{
+    const CellOracle<LatticeType> oracle(lattice);
     long double least = std::numeric_limits<long double>::infinity();
-    forEachCell(occupancy.lattice(), 2,
-                [&](HexCoord cell)
+    forEachCell(lattice, 2,
+                [&](typename LatticeType::Cell cell)
                 {
-                    if (occupancy.isBlocked(cell))
+                    if (occupancy.isBlocked(toOffset(cell)))
                         least = std::min(least, oracle.distance(a, b, cell));
                 });
     return least;
 }
 
-Point freePoint(Random &random, const HexOccupancy &occupancy)
+template <class LatticeType>
+Point anyPoint(Random &random, const LatticeType &lattice)
 {
+    const auto cell = random.cellOf(lattice);
+    return random.chance(0.5) ? random.pointOf(lattice, cell) : lattice.centre(cell);
+}
+
+}  // namespace
+
+long double distanceToBlocked(const Occupancy &occupancy, const Point &a, const Point &b)
+{
+    const Lattice &lattice = occupancy.lattice();
+    return lattice.hexagons() != nullptr ? distanceToBlocked(occupancy, *lattice.hexagons(), a, b)
+                                         : distanceToBlocked(occupancy, *lattice.squares(), a, b);
+}
+
+Point freePoint(Random &random, const Occupancy &occupancy)
+{
+    const Lattice &lattice = occupancy.lattice();
     for (;;)
     {
-        const HexCoord cell = random.cellOf(occupancy.lattice());
-        const Point p =
-            random.chance(0.5) ? random.pointOf(occupancy.lattice(), cell) : occupancy.lattice().centre(cell);
-        if (distanceToBlocked(occupancy, p, p) > 1e-6 * occupancy.lattice().pitch())
+        const Point p = lattice.hexagons() != nullptr ? anyPoint(random, *lattice.hexagons())
+                                                      : anyPoint(random, *lattice.squares());
+        if (distanceToBlocked(occupancy, p, p) > 1e-6 * lattice.pitch())
             return p;
     }
 }

@@ -4,6 +4,7 @@
 
 #include <seahex/geometry/HexLattice.h>
 #include <seahex/planning/HexAStar.h>
+#include <seahex/planning/SquareAStar.h>
 #include <seahex/world/Occupancy.h>
 
 #include <ompl/base/ProblemDefinition.h>
@@ -13,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace seahex::test
@@ -29,10 +31,10 @@ enum class SpaceKind
 ompl::base::StateSpacePtr spaceWithin(const Box &bounds, SpaceKind kind);
 
 /// A space whose problem is an occupancy, set up; its bounds are those of the lattice unless others are given. Cells
-/// are the occupancy's own.
-ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy,
+/// are the occupancy's own, which must be hexagons.
+ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const Occupancy> &occupancy,
                                            SpaceKind kind = SpaceKind::Plane);
-ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const HexOccupancy> &occupancy, SpaceKind kind,
+ompl::base::SpaceInformationPtr chartSpace(const std::shared_ptr<const Occupancy> &occupancy, SpaceKind kind,
                                            const Box &bounds);
 
 /// A space with a user's own checker and OMPL's motion validator, set up.
@@ -47,7 +49,16 @@ ompl::base::ProblemDefinitionPtr problemBetween(const ompl::base::SpaceInformati
                                                 const Point &goal);
 
 /// A planner that was given the problem, for the lattice's best path: neither anytime nor smoothing.
-std::shared_ptr<HexAStar> plannerFor(const ompl::base::ProblemDefinitionPtr &problem);
+template <class Planner = HexAStar>
+std::shared_ptr<Planner> plannerFor(const ompl::base::ProblemDefinitionPtr &problem)
+{
+    auto planner = std::make_shared<Planner>(problem->getSpaceInformation());
+    planner->setProblemDefinition(problem);
+    planner->setSmoothing(false);
+    if constexpr (std::is_same_v<Planner, HexAStar>)
+        planner->setAnytime(false);
+    return planner;
+}
 
 /// The path of the best solution; nullptr if the problem has none.
 std::shared_ptr<ompl::geometric::PathGeometric> pathOf(const ompl::base::ProblemDefinitionPtr &problem);
@@ -56,11 +67,11 @@ std::shared_ptr<ompl::geometric::PathGeometric> pathOf(const ompl::base::Problem
 double lengthOf(const ompl::geometric::PathGeometric &path);
 
 /// Distance from a segment to the nearest blocked cell, those around the lattice included: every cell by itself, by
-/// HexOracle.
-long double distanceToBlocked(const HexOccupancy &occupancy, const Point &a, const Point &b);
+/// CellOracle.
+long double distanceToBlocked(const Occupancy &occupancy, const Point &a, const Point &b);
 
 /// A point that touches free cells only; the cells are tried at random. The occupancy must have such a cell.
-Point freePoint(Random &random, const HexOccupancy &occupancy);
+Point freePoint(Random &random, const Occupancy &occupancy);
 
 /// Obstacles of a plane with no lattice: discs.
 struct Discs

@@ -6,21 +6,6 @@
 
 namespace seahex::test
 {
-namespace
-{
-
-template <class LatticeType>
-std::vector<typename LatticeType::Cell> randomCells(Random &random, const LatticeType &lattice, double density)
-{
-    std::vector<typename LatticeType::Cell> cells;
-    for (std::int64_t row = 0; row < lattice.rows(); ++row)
-        for (std::int64_t column = 0; column < lattice.columns(); ++column)
-            if (random.chance(density))
-                cells.push_back(LatticeType::cell({column, row}));
-    return cells;
-}
-
-}  // namespace
 
 std::int64_t Random::integer(std::int64_t low, std::int64_t high)
 {
@@ -56,14 +41,19 @@ Point Random::pointOf(const Point &centre, const Point *corners, std::size_t cou
     }
 }
 
-std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density)
+template <class LatticeType>
+std::shared_ptr<const LatticeOccupancy<LatticeType>> randomOccupancy(Random &random, const LatticeType &lattice,
+                                                                     double density)
 {
-    return occupancyWith(lattice, randomCells(random, lattice, density));
+    std::vector<typename LatticeType::Cell> blocked;
+    for (std::int64_t row = 0; row < lattice.rows(); ++row)
+        for (std::int64_t column = 0; column < lattice.columns(); ++column)
+            if (random.chance(density))
+                blocked.push_back(LatticeType::cell({column, row}));
+    return occupancyWith(lattice, blocked);
 }
 
-std::shared_ptr<const SquareOccupancy> randomOccupancy(Random &random, const SquareLattice &lattice, double density)
-{
-    return occupancyWith(lattice, randomCells(random, lattice, density));
-}
+template std::shared_ptr<const HexOccupancy> randomOccupancy(Random &, const HexLattice &, double);
+template std::shared_ptr<const SquareOccupancy> randomOccupancy(Random &, const SquareLattice &, double);
 
 }  // namespace seahex::test

@@ -67,7 +67,8 @@ void forEachSeed(std::uint64_t count, Body &&body)
 }
 
 /// An occupancy in which each cell is blocked with the given probability.
-std::shared_ptr<const HexOccupancy> randomOccupancy(Random &random, const HexLattice &lattice, double density);
-std::shared_ptr<const SquareOccupancy> randomOccupancy(Random &random, const SquareLattice &lattice, double density);
+template <class LatticeType>
+std::shared_ptr<const LatticeOccupancy<LatticeType>> randomOccupancy(Random &random, const LatticeType &lattice,
+                                                                     double density);
 
 }  // namespace seahex::test

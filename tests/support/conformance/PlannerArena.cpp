@@ -1,7 +1,7 @@
 #include "support/conformance/PlannerArena.h"
 
 #include "support/AsciiWorld.h"
-#include "support/HexOracle.h"
+#include "support/CellOracle.h"
 
 #include <seahex/planning/OccupancyMotionValidator.h>
 #include <seahex/planning/OccupancyValidityChecker.h>
@@ -18,24 +18,28 @@ namespace seahex::test
 namespace
 {
 
-/// The free cells that can be reached from one of them.
-std::set<HexCoord> flooded(const HexOccupancy &occupancy, HexCoord from)
+/// The free cells that can be reached from one of them. Of squares those that share an edge will do: a diagonal step
+/// needs both cells beside it.
+std::set<OffsetCoord> flooded(const Occupancy &occupancy, OffsetCoord from)
 {
-    static constexpr HexCoord steps[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, -1}, {-1, 1}};
-    std::set<HexCoord> reached = {from};
-    std::vector<HexCoord> open = {from};
+    const Lattice &lattice = occupancy.lattice();
+    std::set<OffsetCoord> reached = {from};
+    std::vector<OffsetCoord> open = {from};
     while (!open.empty())
     {
-        const HexCoord cell = open.back();
+        const OffsetCoord cell = open.back();
         open.pop_back();
-        for (const HexCoord &step : steps)
-            if (occupancy.isFree(cell + step) && reached.insert(cell + step).second)
-                open.push_back(cell + step);
+        for (const OffsetCoord &next : lattice.neighbours(cell))
+        {
+            const bool isBeside = lattice.hexagons() != nullptr || next.column == cell.column || next.row == cell.row;
+            if (isBeside && occupancy.isFree(next) && reached.insert(next).second)
+                open.push_back(next);
+        }
     }
     return reached;
 }
 
-PlannerArena onChart(const std::string &name, const std::shared_ptr<const HexOccupancy> &chart)
+PlannerArena onChart(const std::string &name, const std::shared_ptr<const Occupancy> &chart)
 {
     PlannerArena arena;
     arena.name = name;
@@ -45,14 +49,15 @@ PlannerArena onChart(const std::string &name, const std::shared_ptr<const HexOcc
     return arena;
 }
 
+template <class World>
 PlannerArena drawn(const std::string &name, const std::string &letters, const std::string &picture)
 {
-    const AsciiWorld world(picture, 1.0, Point(-7, 30));
+    const World world(picture, 1.0, Point(-7, 30));
     PlannerArena arena = onChart(name, world.shared());
     for (const char letter : letters)
         arena.places[letter] = world.centre(letter);
     forEachCell(world.lattice(), 0,
-                [&](HexCoord cell)
+                [&](typename World::Cell cell)
                 {
                     if (world.occupancy().isBlocked(cell))
                         arena.places['X'] = world.lattice().centre(cell);
@@ -62,7 +67,7 @@ PlannerArena drawn(const std::string &name, const std::string &letters, const st
 
 PlannerArena bay()
 {
-    return drawn("bay", "ABCDE", R"(
+    return drawn<AsciiWorld>("bay", "ABCDE", R"(
          A . . # . . . . . # . .
         . . . # . . # # . . # C
          . # . . . # E # . . . .
@@ -74,9 +79,24 @@ PlannerArena bay()
     )");
 }
 
+/// With corners that a diagonal step would cut.
+PlannerArena squareBay()
+{
+    return drawn<SquareWorld>("square bay", "ABCDE", R"(
+        A . . # . . . . . # . .
+        . . . # . . # # # . # C
+        . # . . . . # E # . . .
+        . # # . . . # # # # # .
+        . . . # # . . . . # . .
+        # . . . . . # # . . . .
+        . . # # . D . # # # . .
+        . . . # . . . # . . . B
+    )");
+}
+
 PlannerArena strait()
 {
-    return drawn("strait", "ABCDE", R"(
+    return drawn<AsciiWorld>("strait", "ABCDE", R"(
          A . . . # # # # # # . . . C
         . . . . # # # # # # . . . .
          . . . . . . . . . . . . . .
@@ -85,9 +105,20 @@ PlannerArena strait()
     )");
 }
 
+PlannerArena squareStrait()
+{
+    return drawn<SquareWorld>("square strait", "ABCDE", R"(
+        A . . . # # # # # # . . . C
+        . . . . # # # # # # . . . .
+        . . . . . . . . . . . . . .
+        . . . . # # # # # # . . . .
+        D . . . # # E # # # . . . B
+    )");
+}
+
 PlannerArena openWater()
 {
-    return drawn("open", "ABCD", R"(
+    return drawn<AsciiWorld>("open", "ABCD", R"(
          A . . . . . . .
         . . . . . . . C
          . . . . . . . .
@@ -97,13 +128,14 @@ PlannerArena openWater()
 }
 
 /// Cells of 2, a fifth of them blocked, and places that are no centres of cells.
+template <class LatticeType>
 PlannerArena archipelago(const std::string &name, std::int64_t columns)
 {
     Random random(22);
-    const auto chart = randomOccupancy(random, HexLattice(Point(100, 50), 2.0, columns, columns), 0.22);
+    const auto chart = randomOccupancy(random, LatticeType(Point(100, 50), 2.0, columns, columns), 0.22);
     PlannerArena arena = onChart(name, chart);
-    const HexLattice &lattice = chart->lattice();
-    std::set<HexCoord> sea;
+    const Lattice &lattice = arena.chart->lattice();
+    std::set<OffsetCoord> sea;
     while (sea.size() < static_cast<std::size_t>(columns * columns / 2))
         sea = flooded(*chart, lattice.cellAt(freePoint(random, *chart)));
     for (const char letter : {'A', 'B', 'C', 'D'})
@@ -111,11 +143,11 @@ PlannerArena archipelago(const std::string &name, std::int64_t columns)
             arena.places[letter] = freePoint(random, *chart);
         while (sea.count(lattice.cellAt(arena.places[letter])) == 0 ||
                (letter == 'B' && (arena.places['B'] - arena.places['A']).norm() < 1.3 * static_cast<double>(columns)));
-    forEachCell(lattice, 0,
-                [&](HexCoord cell)
+    forEachCell(chart->lattice(), 0,
+                [&](typename LatticeType::Cell cell)
                 {
-                    if (sea.count(cell) == 0)
-                        arena.places[chart->isFree(cell) ? 'E' : 'X'] = lattice.centre(cell);
+                    if (sea.count(toOffset(cell)) == 0)
+                        arena.places[chart->isFree(cell) ? 'E' : 'X'] = chart->lattice().centre(cell);
                 });
     return arena;
 }
@@ -171,12 +203,28 @@ private:
     QuestionHook onQuestion_;
 };
 
+template <class LatticeType>
+bool isClearOf(const Occupancy &chart, const LatticeType &lattice, const Point &a, const Point &b)
+{
+    const CellOracle<LatticeType> oracle(lattice);
+    const Point margin = Point::Constant(lattice.pitch());
+    const Box around = {a.cwiseMin(b) - margin, a.cwiseMax(b) + margin};
+    bool clear = true;
+    forEachCell(lattice, 1,
+                [&](typename LatticeType::Cell cell)
+                {
+                    if (clear && chart.isBlocked(toOffset(cell)) && around.contains(lattice.centre(cell)))
+                        clear = oracle.distance(a, b, cell) > 0.0L;
+                });
+    return clear;
+}
+
 std::vector<PlannerArena> everyArena()
 {
     struct Kind
     {
         std::string name;
-        bool needsChart;
+        bool needsHexagons;
         std::function<ob::StateSpacePtr(const PlannerArena &, const CensusPtr &)> makeSpace;
     };
     const std::vector<Kind> kinds = {
@@ -193,14 +241,15 @@ std::vector<PlannerArena> everyArena()
         {"Cells", true,
          [](const auto &arena, const auto &census)
          {
-             return countingCells(arena.chart->lattice(), census);
+             return countingCells(*arena.chart->lattice().hexagons(), census);
          }},
     };
     std::vector<PlannerArena> arenas;
-    for (const PlannerArena &arena :
-         {bay(), strait(), openWater(), archipelago("archipelago", 20), archipelago("ocean", 36), discs()})
+    for (const PlannerArena &arena : {bay(), strait(), openWater(), archipelago<HexLattice>("archipelago", 20),
+                                      archipelago<HexLattice>("ocean", 36), squareBay(), squareStrait(),
+                                      archipelago<SquareLattice>("square archipelago", 20), discs()})
         for (const Kind &kind : kinds)
-            if (arena.chart || !kind.needsChart)
+            if (!kind.needsHexagons || (arena.chart && arena.chart->lattice().hexagons() != nullptr))
             {
                 arenas.push_back(arena);
                 arenas.back().name += " in " + kind.name;
@@ -222,17 +271,9 @@ bool PlannerArena::isClear(const Point &a, const Point &b) const
             radius *= 0.97;
         return smaller.isFree(a, b);
     }
-    const HexOracle oracle(chart->lattice());
-    const Point margin = Point::Constant(chart->lattice().pitch());
-    const Box around = {a.cwiseMin(b) - margin, a.cwiseMax(b) + margin};
-    bool clear = true;
-    forEachCell(chart->lattice(), 1,
-                [&](HexCoord cell)
-                {
-                    if (clear && chart->isBlocked(cell) && around.contains(chart->lattice().centre(cell)))
-                        clear = oracle.distance(a, b, cell) > 0.0L;
-                });
-    return clear;
+    const Lattice &lattice = chart->lattice();
+    return lattice.hexagons() != nullptr ? isClearOf(*chart, *lattice.hexagons(), a, b)
+                                         : isClearOf(*chart, *lattice.squares(), a, b);
 }
 
 bool PlannerArena::areJoined(const Point &a, const Point &b) const

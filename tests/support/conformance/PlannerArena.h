@@ -20,7 +20,7 @@ struct PlannerArena
 {
     std::string name;
     Box bounds;
-    std::shared_ptr<const HexOccupancy> chart;  ///< nullptr where the obstacles are discs
+    std::shared_ptr<const Occupancy> chart;  ///< nullptr where the obstacles are discs
     Discs discs;
     /// Between A, B, C and D there is a way. X is blocked, E free and cut off from the others: not every arena has
     /// them. O lies out of bounds.
@@ -29,7 +29,7 @@ struct PlannerArena
 
     bool has(char place) const { return places.count(place) > 0; }
 
-    /// Judges a straight leg with no help of the library's: cell by cell by HexOracle, or disc by disc. Discs count
+    /// Judges a straight leg with no help of the library's: cell by cell by CellOracle, or disc by disc. Discs count
     /// with 0.97 of their radius, because OMPL's validator looks at points of a leg only.
     bool isClear(const Point &a, const Point &b) const;
 
@@ -40,8 +40,8 @@ struct PlannerArena
     Point somewhere(Random &random) const;
 };
 
-/// A bay with a lagoon, a long strait one cell wide, open water, a random archipelago, a larger one, and discs; each in
-/// every space that it can be in.
+/// A bay with a lagoon, a long strait one cell wide, open water, a random archipelago, a larger one, all of hexagons; a
+/// "square" bay, strait and archipelago of squares; and discs: each in every space that it can be in.
 const std::vector<PlannerArena> &plannerArenas();
 
 /// Told of every state that a user's checker is asked for.

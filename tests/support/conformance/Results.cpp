@@ -6,6 +6,7 @@
 #include <ompl/geometric/PathSimplifier.h>
 
 #include <cmath>
+#include <optional>
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -41,23 +42,35 @@ void pathsBetweenRandomPlaces(Trial &trial)
     }
 }
 
+/// The graph whose optimum the planner promises on the arena's chart; empty if it promises nothing there.
+std::optional<ExplicitGraph> promisedGraph(const Trial &trial)
+{
+    const auto &chart = trial.arena().chart;
+    if (const auto *hexagons = dynamic_cast<const HexOccupancy *>(chart.get()))
+        if (trial.subject().rings > 0)
+            return jumpGraph(*hexagons, trial.subject().rings, LengthMetric::Euclidean);
+    if (const auto *squares = dynamic_cast<const SquareOccupancy *>(chart.get()))
+        if (trial.subject().neighbours > 0)
+            return stepGraph(*squares, trial.subject().neighbours);
+    return std::nullopt;
+}
+
 void theCostIsTheOptimum(Trial &trial)
 {
     const PlannerUnderTest &subject = trial.subject();
-    if (subject.rings == 0 || !trial.arena().chart || trial.turnsMatter())
+    const std::optional<ExplicitGraph> graph = promisedGraph(trial);
+    if (!graph || trial.turnsMatter())
         return;
-    const HexOccupancy &chart = *trial.arena().chart;
-    const HexLattice &lattice = chart.lattice();
-    const ExplicitGraph graph = jumpGraph(chart, subject.rings, LengthMetric::Euclidean);
+    const Lattice &lattice = trial.arena().chart->lattice();
     for (std::uint64_t seed = 1; seed <= 8; ++seed)
     {
         Random random(seed);
-        const HexCoord from = lattice.cellAt(trial.arena().somewhere(random));
-        const HexCoord to = lattice.cellAt(trial.arena().somewhere(random));
+        const OffsetCoord from = lattice.cellAt(trial.arena().somewhere(random));
+        const OffsetCoord to = lattice.cellAt(trial.arena().somewhere(random));
         if (from == to || !trial.arena().areJoined(lattice.centre(from), lattice.centre(to)))
             continue;
         const double optimum =
-            lattice.pitch() * graph.cheapest({{vertexOf(lattice, from), 0.0}}, {{vertexOf(lattice, to), 0.0}});
+            lattice.pitch() * graph->cheapest({{vertexOf(lattice, from), 0.0}}, {{vertexOf(lattice, to), 0.0}});
         const auto problem = trial.problem('A', 'B');
         problem->clearStartStates();
         problem->addStartState(trial.stateAt(lattice.centre(from)));
