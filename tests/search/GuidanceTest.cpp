@@ -11,8 +11,15 @@ using namespace seahex::test;
 
 TEST(Guidance, namesAreReadAsTheyAreWritten)
 {
-    for (const Guidance guidance : {Guidance::None, Guidance::Distance, Guidance::Cheng, Guidance::TieBreak})
+    std::string all;
+    for (const Guidance guidance :
+         {Guidance::None, Guidance::Distance, Guidance::Euclidean, Guidance::Cheng, Guidance::Wang, Guidance::TieBreak})
+    {
         EXPECT_EQ(guidanceFromString(toString(guidance)), guidance);
+        all += (all.empty() ? "" : ",") + std::string(toString(guidance));
+    }
+    EXPECT_EQ(guidanceNames(), all);
+    EXPECT_EQ(guidanceFromString("wang"), Guidance::Wang);
     EXPECT_EQ(guidanceFromString("tie_break"), Guidance::TieBreak);
     EXPECT_FALSE(guidanceFromString("").has_value());
     EXPECT_FALSE(guidanceFromString("Distance").has_value());
