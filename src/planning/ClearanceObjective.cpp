@@ -27,7 +27,7 @@ double checked(const char *name, double value)
 
 }  // namespace
 
-ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr &si, const HexOccupancy &occupancy,
+ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr &si, const Occupancy &occupancy,
                                        double wantedClearance, double strength)
     : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()),
       wanted_(checked("the wanted clearance", wantedClearance)), strength_(checked("the strength", strength)),
@@ -36,7 +36,7 @@ ClearanceObjective::ClearanceObjective(const ob::SpaceInformationPtr &si, const 
     description_ = "Clearance";
 }
 
-double ClearanceObjective::pricePerMetre(HexCoord cell) const
+double ClearanceObjective::pricePerMetre(OffsetCoord cell) const
 {
     const double clearance = clearances_.clearance(cell);
     return clearance >= wanted_ ? 1.0 : 1.0 + strength_ * (1.0 - clearance / wanted_);
@@ -50,7 +50,7 @@ ob::Cost ClearanceObjective::stateCost(const ob::State *state) const
 ob::Cost ClearanceObjective::motionCost(const ob::State *s1, const ob::State *s2) const
 {
     return ob::Cost(integrateAlong(clearances_.lattice(), embedding_.position(s1), embedding_.position(s2),
-                                   [this](HexCoord cell) { return pricePerMetre(cell); }));
+                                   [this](OffsetCoord cell) { return pricePerMetre(cell); }));
 }
 
 ob::Cost ClearanceObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "seahex/geometry/HexChords.h"
+#include "seahex/geometry/Chords.h"
 
 namespace seahex
 {
@@ -10,13 +10,13 @@ namespace seahex
 /// A line with an end outside the lattice may be of any length, and is no valid motion: it is not walked, but taken to
 /// lie in the cell of that end.
 template <class ValueOf>
-double integrateAlong(const HexLattice &lattice, const Point &a, const Point &b, ValueOf &&valueOf)
+double integrateAlong(const Lattice &lattice, const Point &a, const Point &b, ValueOf &&valueOf)
 {
-    for (const HexCoord end : {lattice.cellAt(a), lattice.cellAt(b)})
+    for (const OffsetCoord end : {lattice.cellAt(a), lattice.cellAt(b)})
         if (!lattice.contains(end))
             return (b - a).norm() * valueOf(end);
     double sum = 0.0;
-    forEachChord(lattice, a, b, [&](HexCoord cell, double length) { sum += length * valueOf(cell); });
+    forEachChord(lattice, a, b, [&](OffsetCoord cell, double length) { sum += length * valueOf(cell); });
     return sum;
 }
 

@@ -4,7 +4,6 @@
 #include "planning/UpperBoundSampler.h"
 
 #include <ompl/base/SpaceInformation.h>
-#include <ompl/util/Exception.h>
 
 namespace ob = ompl::base;
 
@@ -16,8 +15,6 @@ SafetyWeightObjective::SafetyWeightObjective(const ob::SpaceInformationPtr &si, 
     : ob::OptimizationObjective(si), embedding_(si->getStateSpace().get()), weights_(occupancy), charge_(charge)
 {
     description_ = "Safety weight";
-    if (charge == SafetyCharge::AlongLine && weights_.lattice().hexagons() == nullptr)
-        throw ompl::Exception("SafetyWeightObjective", "on squares the weight can be charged on arrival only");
 }
 
 ob::Cost SafetyWeightObjective::stateCost(const ob::State *state) const
@@ -32,7 +29,7 @@ ob::Cost SafetyWeightObjective::motionCost(const ob::State *s1, const ob::State 
     if (charge_ == SafetyCharge::OnArrival)
         return ob::Cost((b - a).norm() * stateCost(s2).value());
     return ob::Cost(
-        integrateAlong(*weights_.lattice().hexagons(), a, b, [this](HexCoord cell) { return weights_.weight(cell); }));
+        integrateAlong(weights_.lattice(), a, b, [this](OffsetCoord cell) { return weights_.weight(cell); }));
 }
 
 ob::Cost SafetyWeightObjective::motionCostHeuristic(const ob::State *s1, const ob::State *s2) const

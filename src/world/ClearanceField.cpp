@@ -13,9 +13,9 @@ namespace
 class RowGaps
 {
 public:
-    explicit RowGaps(const HexOccupancy &occupancy)
-        : rows_(occupancy.layout().rows()), width_(occupancy.layout().columns() + 2),
-          gaps_(static_cast<std::size_t>(width_ * (rows_ + 2)), 0)
+    explicit RowGaps(const Occupancy &occupancy)
+        : isHex_(occupancy.lattice().hexagons() != nullptr), rows_(occupancy.layout().rows()),
+          width_(occupancy.layout().columns() + 2), gaps_(static_cast<std::size_t>(width_ * (rows_ + 2)), 0)
     {
         const CellLayout &layout = occupancy.layout();
         for (std::int64_t row = 0; row < rows_; ++row)
@@ -34,13 +34,14 @@ public:
     double along(std::int64_t column, std::int64_t row, std::int64_t otherRow) const
     {
         const std::uint32_t *gaps = &gaps_[static_cast<std::size_t>((otherRow + 1) * width_ + column + 1)];
-        if (((row ^ otherRow) & 1) == 0)
+        if (!isHex_ || ((row ^ otherRow) & 1) == 0)
             return gaps[0];
         // a place between two cells: even rows lie half a cell farther east
         return 0.5 + std::min(gaps[0], (row & 1) == 0 ? gaps[1] : gaps[-1]);
     }
 
 private:
+    bool isHex_;
     std::int64_t rows_;
     std::int64_t width_;  // with a blocked column on either side
     std::vector<std::uint32_t> gaps_;
@@ -55,13 +56,14 @@ float roundedDown(double value)
 
 }  // namespace
 
-ClearanceField::ClearanceField(const HexOccupancy &occupancy, double limit)
+ClearanceField::ClearanceField(const Occupancy &occupancy, double limit)
     : lattice_(occupancy.lattice()), layout_(occupancy.layout()), values_(layout_.size(), 0.0f)
 {
     const RowGaps gaps(occupancy);
     const double pitch = lattice_.pitch();
-    const double side = lattice_.side();
-    const HexCoord cell{0, 0};  // all hexagons being alike, this one stands for the nearest
+    const double rowStep = lattice_.rowStep();
+    const double halfHeight = lattice_.halfHeight();
+    const OffsetCoord cell{0, 0};  // all cells being alike, this one stands for the nearest
     const Point centre = lattice_.centre(cell);
     for (std::int64_t row = 0; row < layout_.rows(); ++row)
         for (std::int64_t column = 0; column < layout_.columns(); ++column)
@@ -73,15 +75,15 @@ ClearanceField::ClearanceField(const HexOccupancy &occupancy, double limit)
             const auto offer = [&](std::int64_t otherRow)
             {
                 const Point away(gaps.along(column, row, otherRow) * pitch,
-                                 1.5 * side * static_cast<double>(std::abs(otherRow - row)));
-                // no need to measure what the hexagon's box is too far for
+                                 rowStep * static_cast<double>(std::abs(otherRow - row)));
+                // no need to measure what the cell's box is too far for
                 const double x = std::max(away.x() - 0.5 * pitch, 0.0);
-                const double y = std::max(away.y() - side, 0.0);
+                const double y = std::max(away.y() - halfHeight, 0.0);
                 if (x * x + y * y < best * best)
                     best = std::min(best, lattice_.distance(centre + away, cell));
             };
             offer(row);
-            for (std::int64_t step = 1; 1.5 * side * static_cast<double>(step) - side < best; ++step)
+            for (std::int64_t step = 1; rowStep * static_cast<double>(step) - halfHeight < best; ++step)
             {
                 if (row - step >= -1)
                     offer(row - step);

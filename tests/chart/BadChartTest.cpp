@@ -2,6 +2,7 @@
 #include "seahex/chart/ChartReader.h"
 
 #include "support/TestCharts.h"
+#include "support/TestData.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ class DamagedCell : public testing::Test
 protected:
     void SetUp() override
     {
-        SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+        SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
         original_ = charts / "generated" / "with_updates" / "ZZ4SHCHN.000";
         bytes_ = readBytes(original_);
         cell_ = folder_ / "ZZ4SHCHN.000";

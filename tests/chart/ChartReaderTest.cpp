@@ -4,6 +4,7 @@
 #include "seahex/chart/HazardCatalogue.h"
 
 #include "support/TestCharts.h"
+#include "support/TestData.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -73,7 +74,7 @@ class GeneratedCell : public testing::TestWithParam<const char *>
 protected:
     void SetUp() override
     {
-        SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+        SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
         cell_ = charts / "generated" / (std::string(GetParam()) + ".000");
         fs::path expectation = cell_;
         std::ifstream(expectation.replace_extension(".expect.json")) >> expected_;
@@ -188,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(ChartReader, GeneratedCell, testing::Values("ZZ4SHCHN",
 
 TEST(ChartReader, appliesInsertionsDeletionsAndChanges)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart base = readChart((charts / "generated/ZZ4SHCHN.000").string());
     const Chart updated = readChart((charts / "generated/with_updates/ZZ4SHCHN.000").string());
     EXPECT_EQ(updated.cells.front().update, 2);
@@ -231,7 +232,7 @@ class Noaa : public testing::TestWithParam<NoaaCell>
 
 TEST_P(Noaa, isReadWhole)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart chart = readChart((charts / "noaa" / GetParam().name).string());
     const CellReport &report = chart.cells.at(0);
     EXPECT_EQ(report.name, GetParam().name);
@@ -268,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(ChartReader, Noaa,
 
 TEST(ChartReader, keepsSurroundingDepthsOfDangers)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart chart = readChart((charts / "noaa/US5MA12M").string());
     std::size_t dangers = 0;
     std::size_t known = 0;
@@ -288,7 +289,7 @@ TEST(ChartReader, keepsSurroundingDepthsOfDangers)
 
 TEST(ChartReader, readsListAttributes)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart chart = readChart((charts / "noaa/US4MD81M").string());
     const auto areas = ofClass(chart, "RESARE");
     EXPECT_GT(std::count_if(areas.begin(), areas.end(),
@@ -304,7 +305,7 @@ TEST(ChartReader, readsListAttributes)
 
 TEST(ChartReader, poolsCellsAndWarnsWhereTheyOverlap)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const std::string bay = (charts / "noaa/US4MD81M/US4MD81M.000").string();
     const std::string harbour = (charts / "noaa/US5MD1MC/US5MD1MC.000").string();
     const std::string bay2 = (charts / "noaa/US4MD81M").string();
@@ -317,7 +318,7 @@ TEST(ChartReader, poolsCellsAndWarnsWhereTheyOverlap)
 
 TEST(ChartReader, looksForCellsTwoFoldersDeep)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const TemporaryFolder folder;
     fs::create_directories(folder / "ENC_ROOT" / "ZZ4SHCHN" / "TOO");
     fs::copy_file(charts / "generated/ZZ4SHCHN.000", folder / "ENC_ROOT" / "ZZ4SHCHN" / "ZZ4SHCHN.000");
@@ -329,7 +330,7 @@ TEST(ChartReader, looksForCellsTwoFoldersDeep)
 
 TEST(ChartReader, readsTheLargeCellWhole)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart chart = readChart((charts / "generated/ZZ3NORWY.000").string());
     EXPECT_EQ(chart.cells.at(0).groupOne.twiceAreaDifference, "0");
     EXPECT_EQ(chart.cells.at(0).update, 1);

@@ -3,6 +3,7 @@
 #include "seahex/chart/ChartReader.h"
 
 #include "support/TestCharts.h"
+#include "support/TestData.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -247,7 +248,7 @@ TEST(Projection, isSharedBetweenThreads)
 
 TEST(Projection, keepsTheCoverageOfACoastalCellWithinTolerance)
 {
-    SEAHEX_TEST_CHARTS_OR_SKIP(charts);
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
     const Chart chart = readChart((charts / "noaa/US3DE01M").string());
     const Projection projection = Projection::transverseMercator(chart.bounds.centre());
     const Ring &coverage = chart.coverage.lonLat.areas.at(0).outer();

@@ -2,6 +2,7 @@
 
 #include "planning/MotionCosts.h"
 #include "support/AsciiWorld.h"
+#include "support/LatticeKinds.h"
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
@@ -106,14 +107,36 @@ TEST_F(ClearanceObjectiveAtARock, TwoThreadsMayAsk)
     expectSameFromTwoThreads(ClearanceObjective(si, world.occupancy(), 5.0, 2.0), world.lattice());
 }
 
-TEST(ClearanceObjective, SymmetricAddsUpAndIsBounded)
+TEST(ClearanceObjective, OnSquaresEveryCellIsChargedForItsPart)
+{
+    const SquareLattice lattice(Point(100.0, -50.0), 2.0, 15, 15);
+    const auto occupancy = occupancyWith(lattice, {{7, 7}});
+    const ClearanceObjective objective(chartSpace(occupancy), *occupancy, 3.0, 6.0);
+    const auto at = [&lattice](std::int64_t column, std::int64_t row)
+    {
+        return lattice.centre({column, row});
+    };
+    // past the rock: open water, at its corner, beside it, and the same again
+    const double corner = 1.0 + 6.0 * (1.0 - std::sqrt(2.0) / 3.0);
+    const double beside = 1.0 + 6.0 * (1.0 - 1.0 / 3.0);
+    EXPECT_NEAR(motionCost(objective, at(5, 8), at(9, 8)), 2.0 * (1.0 + 2.0 * corner + beside), 1e-5);
+    EXPECT_EQ(objective.clearances().clearance(OffsetCoord{7, 8}), 1.0);
+}
+
+template <class LatticeType>
+class ClearanceObjectiveOn : public testing::Test
+{
+};
+TYPED_TEST_SUITE(ClearanceObjectiveOn, LatticeKinds, LatticeKindNames);
+
+TYPED_TEST(ClearanceObjectiveOn, SymmetricAddsUpAndIsBounded)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice(Point(random.real(-50, 50), random.real(-50, 50)), random.real(0.3, 3.0),
-                                 random.integer(4, 12), random.integer(4, 12));
+        const TypeParam lattice(Point(random.real(-50, 50), random.real(-50, 50)), random.real(0.3, 3.0),
+                                random.integer(4, 12), random.integer(4, 12));
         const auto occupancy = randomOccupancy(random, lattice, random.real(0.0, 0.4));
         const auto si = chartSpace(occupancy, random.chance(0.5) ? SpaceKind::Plane : SpaceKind::Pose);
         const double wanted = random.real(0.0, 6.0) * lattice.pitch();

@@ -27,13 +27,15 @@ inline double heuristic(const ompl::base::OptimizationObjective &objective, cons
 }
 
 /// A point of the lattice's box, now and then on an edge, a corner or a centre.
-inline Point anyPoint(Random &random, const HexLattice &lattice)
+template <class LatticeType>
+Point anyPoint(Random &random, const LatticeType &lattice)
 {
     return random.chance(0.5) ? random.pointOf(lattice, random.cellOf(lattice)) : random.pointIn(lattice.bounds());
 }
 
 /// Two threads that ask for the costs of the same motions at the same time get the answers that one gets alone.
-inline void expectSameFromTwoThreads(const ompl::base::OptimizationObjective &objective, const HexLattice &lattice)
+template <class LatticeType>
+void expectSameFromTwoThreads(const ompl::base::OptimizationObjective &objective, const LatticeType &lattice)
 {
     Random random(1);
     std::vector<std::pair<Point, Point>> motions;

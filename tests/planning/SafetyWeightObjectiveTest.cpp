@@ -2,6 +2,7 @@
 
 #include "planning/MotionCosts.h"
 #include "support/AsciiWorld.h"
+#include "support/LatticeKinds.h"
 
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/util/Exception.h>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 
 namespace ob = ompl::base;
 
@@ -95,32 +97,80 @@ TEST_F(SafetyWeightObjectiveAtARock, TwoThreadsMayAsk)
     expectSameFromTwoThreads(alongLine, world.lattice());
 }
 
+/// Squares: the cells around a rock weigh 1.5, those around two 2, the water 1.
+TEST(SafetyWeightObjective, OnSquaresBothChargeWhatTheyShould)
+{
+    const SquareLattice lattice(Point(100.0, -50.0), 2.0, 11, 11);
+    const auto occupancy = occupancyWith(lattice, {{5, 5}, {5, 6}});
+    const ob::SpaceInformationPtr si = chartSpace(occupancy);
+    const SafetyWeightObjective onArrival(si, *occupancy, SafetyCharge::OnArrival);
+    const SafetyWeightObjective alongLine(si, *occupancy);
+    const auto at = [&lattice](std::int64_t column, std::int64_t row)
+    {
+        return lattice.centre({column, row});
+    };
+    EXPECT_NEAR(motionCost(onArrival, at(5, 3), at(5, 4)), 2.0 * 1.5, 1e-12);
+    EXPECT_NEAR(motionCost(onArrival, at(5, 3), at(6, 4)), std::sqrt(8.0) * 1.5, 1e-12);
+    EXPECT_NEAR(motionCost(alongLine, at(5, 3), at(6, 4)), std::sqrt(8.0) * 0.5 * (1.0 + 1.5), 1e-12);
+    // past both rocks: water, 1.5, 2, 2, 1.5, water
+    EXPECT_NEAR(motionCost(alongLine, at(6, 3), at(6, 8)), 2.0 * (0.5 + 1.5 + 2.0 + 2.0 + 1.5 + 0.5), 1e-12);
+    EXPECT_NEAR(motionCost(onArrival, at(6, 3), at(6, 8)), 10.0, 1e-12) << "charged as a whole";
+    // along the edge between two columns, shared by them
+    const Point aside(1.0, 0.0);
+    EXPECT_NEAR(motionCost(alongLine, at(6, 5) + aside, at(6, 6) + aside), 2.0 * 0.5 * (2.0 + 1.0), 1e-12);
+    // outside
+    const double length = (at(5, 3) - Point(0.0, 0.0)).norm();
+    EXPECT_NEAR(motionCost(alongLine, at(5, 3), Point(0.0, 0.0)) / (65.0 * length), 1.0, 1e-12);
+    expectSameFromTwoThreads(alongLine, lattice);
+}
+
+template <class LatticeType>
+class SafetyWeightObjectiveOn : public testing::Test
+{
+};
+TYPED_TEST_SUITE(SafetyWeightObjectiveOn, LatticeKinds, LatticeKindNames);
+
+template <class LatticeType>
+constexpr double weightOfBlocked = std::is_same_v<LatticeType, HexLattice> ? 17.0 : 65.0;
+
+/// The neighbours that share an edge with a cell.
+std::vector<OffsetCoord> sides(const Lattice &lattice, OffsetCoord cell)
+{
+    if (lattice.hexagons() != nullptr)
+        return lattice.neighbours(cell);
+    return {{cell.column + 1, cell.row},
+            {cell.column, cell.row - 1},
+            {cell.column - 1, cell.row},
+            {cell.column, cell.row + 1}};
+}
+
 /// A random world, in R^2 or SE(2), with both objectives.
+template <class LatticeType>
 struct RandomSea
 {
     explicit RandomSea(Random &random)
         : occupancy(randomOccupancy(random,
-                                    HexLattice(Point(random.real(-50, 50), random.real(-50, 50)), random.real(0.3, 3.0),
-                                               random.integer(4, 12), random.integer(4, 12)),
+                                    LatticeType(Point(random.real(-50, 50), random.real(-50, 50)),
+                                                random.real(0.3, 3.0), random.integer(4, 12), random.integer(4, 12)),
                                     random.real(0.0, 0.5))),
           si(chartSpace(occupancy, random.chance(0.5) ? SpaceKind::Plane : SpaceKind::Pose)),
           onArrival(si, *occupancy, SafetyCharge::OnArrival), alongLine(si, *occupancy, SafetyCharge::AlongLine)
     {
     }
 
-    std::shared_ptr<const HexOccupancy> occupancy;
+    std::shared_ptr<const LatticeOccupancy<LatticeType>> occupancy;
     ob::SpaceInformationPtr si;
     SafetyWeightObjective onArrival;
     SafetyWeightObjective alongLine;
 };
 
-TEST(SafetyWeightObjective, AlongTheLineItIsSymmetricAndAddsUp)
+TYPED_TEST(SafetyWeightObjectiveOn, AlongTheLineItIsSymmetricAndAddsUp)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const RandomSea sea(random);
+        const RandomSea<TypeParam> sea(random);
         for (int i = 0; i < 10; ++i)
         {
             const Point a = anyPoint(random, sea.occupancy->lattice());
@@ -138,13 +188,13 @@ TEST(SafetyWeightObjective, AlongTheLineItIsSymmetricAndAddsUp)
     }
 }
 
-TEST(SafetyWeightObjective, NoMotionCostsLessThanItsLengthOrItsHeuristic)
+TYPED_TEST(SafetyWeightObjectiveOn, NoMotionCostsLessThanItsLengthOrItsHeuristic)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const RandomSea sea(random);
+        const RandomSea<TypeParam> sea(random);
         for (int i = 0; i < 10; ++i)
         {
             const Point a = anyPoint(random, sea.occupancy->lattice());
@@ -153,7 +203,7 @@ TEST(SafetyWeightObjective, NoMotionCostsLessThanItsLengthOrItsHeuristic)
             {
                 const double cost = motionCost(*objective, a, b);
                 EXPECT_GE(cost, (b - a).norm() * (1.0 - 1e-12));
-                EXPECT_LE(cost, 17.0 * (b - a).norm() * (1.0 + 1e-12));
+                EXPECT_LE(cost, weightOfBlocked<TypeParam> * (b - a).norm() * (1.0 + 1e-12));
                 EXPECT_LE(heuristic(*objective, a, b), cost);
                 EXPECT_GE(heuristic(*objective, a, b), (b - a).norm() * (1.0 - 1e-8));
             }
@@ -162,14 +212,14 @@ TEST(SafetyWeightObjective, NoMotionCostsLessThanItsLengthOrItsHeuristic)
     }
 }
 
-TEST(SafetyWeightObjective, MoreRocksNeverMakeAMotionCheaper)
+TYPED_TEST(SafetyWeightObjectiveOn, MoreRocksNeverMakeAMotionCheaper)
 {
     for (std::uint64_t seed = 1; seed <= 200; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice(Point(0, 0), 1.0, 8, 8);
-        std::vector<HexCoord> blocked;
+        const TypeParam lattice(Point(0, 0), 1.0, 8, 8);
+        std::vector<typename TypeParam::Cell> blocked;
         double cost = 0.0;
         double onArrivalCost = 0.0;
         const Point a = anyPoint(random, lattice);
@@ -191,28 +241,30 @@ TEST(SafetyWeightObjective, MoreRocksNeverMakeAMotionCheaper)
     }
 }
 
-TEST(SafetyWeightObjective, OnPathsOfStepsTheTwoDifferByAConstantOfTheEnds)
+TYPED_TEST(SafetyWeightObjectiveOn, OnPathsOfStepsTheTwoDifferByAConstantOfTheEnds)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const RandomSea sea(random);
-        const HexLattice &lattice = sea.occupancy->lattice();
-        const std::vector<HexCoord> steps = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
-        const HexCoord first = random.cellOf(lattice);
-        HexCoord cell = first;
+        const RandomSea<TypeParam> sea(random);
+        const TypeParam &lattice = sea.occupancy->lattice();
+        const OffsetCoord first = toOffset(random.cellOf(lattice));
+        OffsetCoord cell = first;
         double published = 0.0;
         double integral = 0.0;
         for (std::int64_t i = random.integer(1, 30); i > 0; --i)
         {
-            const HexCoord next = cell + steps[static_cast<std::size_t>(random.integer(0, 5))];
-            if (!lattice.contains(next))
+            const std::vector<OffsetCoord> neighbours = sides(lattice, cell);
+            const OffsetCoord next = neighbours[static_cast<std::size_t>(random.integer(0, 100)) % neighbours.size()];
+            if (!Lattice(lattice).contains(next))
                 continue;
-            const double step = motionCost(sea.onArrival, lattice.centre(cell), lattice.centre(next));
+            const Point from = Lattice(lattice).centre(cell);
+            const Point to = Lattice(lattice).centre(next);
+            const double step = motionCost(sea.onArrival, from, to);
             EXPECT_NEAR(step, lattice.pitch() * sea.onArrival.weights().weight(next), 1e-9) << "[Wang2017] eq. 1";
             published += step;
-            integral += motionCost(sea.alongLine, lattice.centre(cell), lattice.centre(next));
+            integral += motionCost(sea.alongLine, from, to);
             cell = next;
         }
         const SafetyWeights &weights = sea.alongLine.weights();

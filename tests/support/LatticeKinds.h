@@ -42,7 +42,7 @@ inline Point cornerGrid(const HexLattice &lattice)
 }
 inline Point cornerGrid(const SquareLattice &lattice)
 {
-    return Point::Constant(0.5 * lattice.pitch());
+    return Point::Constant(0.25 * lattice.pitch());
 }
 
 }  // namespace seahex::test

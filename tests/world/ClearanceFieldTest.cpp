@@ -1,7 +1,7 @@
 #include <seahex/world/ClearanceField.h>
 
 #include "support/AsciiWorld.h"
-#include "support/HexOracle.h"
+#include "support/LatticeKinds.h"
 #include "support/Random.h"
 
 #include <algorithm>
@@ -16,14 +16,21 @@ using namespace seahex::test;
 namespace
 {
 
-/// Distance from the cell's centre to the nearest blocked cell, by looking at each.
-double clearanceByBruteForce(const HexOccupancy &occupancy, HexCoord cell)
+template <class LatticeType>
+class ClearanceFieldOn : public testing::Test
 {
-    const HexOracle oracle(occupancy.lattice());
+};
+TYPED_TEST_SUITE(ClearanceFieldOn, LatticeKinds, LatticeKindNames);
+
+/// Distance from the cell's centre to the nearest blocked cell, by looking at each.
+template <class LatticeType>
+double clearanceByBruteForce(const LatticeOccupancy<LatticeType> &occupancy, typename LatticeType::Cell cell)
+{
+    const CellOracle<LatticeType> oracle(occupancy.lattice());
     const Point centre = occupancy.lattice().centre(cell);
     long double least = std::numeric_limits<long double>::infinity();
     forEachCell(occupancy.lattice(), 1,
-                [&](HexCoord other)
+                [&](typename LatticeType::Cell other)
                 {
                     if (occupancy.isBlocked(other))
                         least = std::min(least, oracle.distance(centre, other));
@@ -64,14 +71,31 @@ TEST(ClearanceField, aSmallWorld)
     EXPECT_EQ(near.clearance(world.cell('A')), 1.5);
 }
 
-TEST(ClearanceField, everyCellOfRandomWorlds)
+TEST(ClearanceField, aRockAmongSquares)
+{
+    const auto occupancy = occupancyWith(SquareLattice({3.0, 4.0}, 2.0, 11, 11), {{5, 5}});
+    const ClearanceField field(*occupancy);
+    const auto clearance = [&field](OffsetCoord cell)
+    {
+        return field.clearance(cell);
+    };
+    EXPECT_EQ(clearance({5, 5}), 0.0);
+    EXPECT_EQ(clearance({6, 5}), 1.0);
+    EXPECT_NEAR(clearance({6, 6}), std::sqrt(2.0), 1e-6);
+    EXPECT_EQ(clearance({5, 7}), 3.0);
+    EXPECT_NEAR(clearance({3, 4}), std::sqrt(9.0 + 1.0), 1e-6);
+    EXPECT_EQ(clearance({0, 5}), 1.0) << "beside the rim";
+    EXPECT_EQ(clearance({-1, 5}), 0.0);
+}
+
+TYPED_TEST(ClearanceFieldOn, everyCellOfRandomWorlds)
 {
     for (std::uint64_t seed = 1; seed <= 120; ++seed)
     {
         Random random(seed);
         const double pitch = std::pow(10.0, random.real(-2.0, 2.0));
-        const HexLattice lattice(pitch * random.pointIn({Point(-9, -9), Point(9, 9)}), pitch,
-                                 random.integer(1, random.chance(0.2) ? 80 : 14), random.integer(1, 14));
+        const TypeParam lattice(pitch * random.pointIn({Point(-9, -9), Point(9, 9)}), pitch,
+                                random.integer(1, random.chance(0.2) ? 80 : 14), random.integer(1, 14));
         const double density = random.chance(0.5) ? std::pow(10.0, random.real(-3.0, -1.0)) : random.real(-0.2, 1.2);
         const auto occupancy = randomOccupancy(random, lattice, density);
         SCOPED_TRACE(random.seedText() + toPicture(*occupancy));
@@ -79,13 +103,13 @@ TEST(ClearanceField, everyCellOfRandomWorlds)
         const ClearanceField field(*occupancy);
         const ClearanceField limited(*occupancy, limit);
         forEachCell(lattice, 2,
-                    [&](HexCoord cell)
+                    [&](typename TypeParam::Cell cell)
                     {
                         const double expected =
-                            occupancy->isBlocked(cell) ? 0.0 : clearanceByBruteForce(*occupancy, cell);
+                            occupancy->isBlocked(cell) ? 0.0 : clearanceByBruteForce<TypeParam>(*occupancy, cell);
                         const double clearance = field.clearance(cell);
                         ASSERT_NEAR(clearance, expected, 2e-7 * expected + 1e-12 * pitch)
-                            << "cell " << cell.q << ", " << cell.s;
+                            << "cell " << toOffset(cell).column << ", " << toOffset(cell).row;
                         ASSERT_LE(clearance, expected + 1e-12 * pitch) << "rounded down";
                         ASSERT_EQ(clearance, field.clearanceAt(occupancy->layout().index(cell)));
                         const double within = expected == 0.0 ? 0.0 : std::min(expected, limit);

@@ -13,7 +13,7 @@ namespace seahex
 ///
 /// A metre within a cell costs 1 + strength max(0, 1 - c / wanted), where c is the clearance of the cell's centre
 /// (ClearanceField): 1 in water as open as wanted or more, and up to 1 + strength beside a blocked cell. A motion costs
-/// the integral of that along its line, exact by the chords of the cells (HexChords), in the plane's unit. With
+/// the integral of that along its line, exact by the chords of the cells (Chords), in the plane's unit. With
 /// strength 0 it is the length.
 ///
 /// Symmetric, bit for bit. Adds up: a motion costs what its parts cost, wherever it is cut (up to rounding, and to a
@@ -28,7 +28,7 @@ public:
     /// @param wantedClearance  in the plane's unit; >= 0. From cell centres: half a pitch is the least there is
     /// @param strength  how many times its length a metre beside a blocked cell costs on top; >= 0
     /// @throws ompl::Exception if the space is not planar (PlanarEmbedding), or a number is negative or not finite
-    ClearanceObjective(const ompl::base::SpaceInformationPtr &si, const HexOccupancy &occupancy, double wantedClearance,
+    ClearanceObjective(const ompl::base::SpaceInformationPtr &si, const Occupancy &occupancy, double wantedClearance,
                        double strength);
 
     /// What a metre costs in the state's cell.
@@ -44,7 +44,7 @@ public:
     const ClearanceField &clearances() const { return clearances_; }
 
 private:
-    double pricePerMetre(HexCoord cell) const;
+    double pricePerMetre(OffsetCoord cell) const;
 
     PlanarEmbedding embedding_;
     double wanted_;

@@ -17,7 +17,8 @@ enum class SafetyCharge
     AlongLine
 };
 
-/// Length, dearer near blocked cells: the safety weight of [Wang2017] on hexagons (SafetyWeights), in the plane's unit.
+/// Length, dearer near blocked cells: the safety weight of [Wang2017] on squares, and its counterpart on hexagons
+/// (SafetyWeights), in the plane's unit.
 ///
 /// There are two, because the published one is made for steps between neighbours and stands alone there:
 /// - **OnArrival** is eq. 1 to the letter, |p'p| w(p'), for a step, a jump over two or three rings, which is charged as
@@ -26,13 +27,14 @@ enum class SafetyCharge
 ///   more than its length. So it is for steps and short jumps; planners that draw long lines, and anything that
 ///   straightens a path, find such motions. A roadmap with one cost for both directions (PRM*) chooses by the wrong
 ///   one.
-/// - **AlongLine** is the integral of the weight along the line, exact by the chords of the cells (HexChords). It is
+/// - **AlongLine** is the integral of the weight along the line, exact by the chords of the cells (Chords). It is
 ///   symmetric, bit for bit, and adds up: a motion costs what its parts cost, wherever it is cut (up to rounding, and
 ///   to a line along an edge of cells that weigh differently, which is shared by the two within the traversal's
 ///   tolerance). This is the one for planners of all kinds.
 ///
-/// For steps between neighbours the two differ by a constant of the path's ends alone: half a step lies in either cell,
-/// so AlongLine totals OnArrival plus half a pitch times w(first) - w(last). Both have the same best paths on ring 1.
+/// For steps of one length the two differ by a constant of the path's ends alone: half a step lies in either cell, so
+/// AlongLine totals OnArrival plus half a pitch times w(first) - w(last). Both have the same best paths on ring 1 of
+/// hexagons and among 4 neighbours of squares; among 8 a diagonal step, being longer, tells them apart.
 ///
 /// Heuristic: the straight length, less a billionth for rounding, as no cell weighs less than 1.
 /// Motions that begin or end outside the lattice, where none is valid, are charged with the weight of blocked cells.

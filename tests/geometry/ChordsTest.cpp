@@ -1,13 +1,15 @@
-#include <seahex/geometry/HexChords.h>
+#include <seahex/geometry/Chords.h>
 #include <seahex/geometry/Shape.h>
 
-#include "support/HexOracle.h"
+#include "support/CellOutline.h"
+#include "support/LatticeKinds.h"
 #include "support/Property.h"
 #include "support/Random.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,36 +24,44 @@ namespace bg = boost::geometry;
 namespace
 {
 
-using Lengths = std::map<HexCoord, double>;
+template <class LatticeType>
+class ChordsOf : public testing::Test
+{
+};
+TYPED_TEST_SUITE(ChordsOf, LatticeKinds, LatticeKindNames);
 
-Lengths chordsOf(const HexLattice &lattice, const Point &a, const Point &b)
+using Lengths = std::map<OffsetCoord, double>;
+
+Lengths chordsOf(const Lattice &lattice, const Point &a, const Point &b)
 {
     Lengths lengths;
-    forEachChord(lattice, a, b, [&lengths](HexCoord cell, double length) { lengths[cell] += length; });
+    forEachChord(lattice, a, b, [&lengths](OffsetCoord cell, double length) { lengths[cell] += length; });
     return lengths;
 }
 
-double lengthIn(const Lengths &lengths, HexCoord cell)
+double lengthIn(const Lengths &lengths, OffsetCoord cell)
 {
     const auto found = lengths.find(cell);
     return found == lengths.end() ? 0.0 : found->second;
 }
 
-/// The part of a segment in one hexagon: cut off by its six edges one after the other, in long double. Half of it where
-/// it runs along an edge.
-double chordByClipping(const HexLattice &lattice, const Point &a, const Point &b, HexCoord cell)
+/// The part of a segment in one cell: cut off by its edges one after the other, in long double. Half of it where it
+/// runs along an edge.
+template <class LatticeType>
+double chordByClipping(const LatticeType &lattice, const Point &a, const Point &b, OffsetCoord cell)
 {
-    const HexOracle::Vector centre = HexOracle(lattice).centre(cell);
+    constexpr int sides = std::is_same_v<LatticeType, HexLattice> ? 6 : 4;
+    const LongVector centre = CellOracle<LatticeType>(lattice).centre(LatticeType::cell(cell));
     const auto pitch = static_cast<long double>(lattice.pitch());
     const long double length =
         std::hypot(b.x() - static_cast<long double>(a.x()), b.y() - static_cast<long double>(a.y()));
     long double from = 0.0L;
     long double to = 1.0L;
     bool isAlongEdge = false;
-    for (int side = 0; side < 6; ++side)
+    for (int side = 0; side < sides; ++side)
     {
         // how far beyond this edge's line the two ends are
-        const long double angle = side * std::acos(-1.0L) / 3.0L;
+        const long double angle = side * 2.0L * std::acos(-1.0L) / sides;
         const auto beyond = [&](const Point &p)
         {
             return std::cos(angle) * (p.x() - centre.x) + std::sin(angle) * (p.y() - centre.y) - 0.5L * pitch;
@@ -71,20 +81,19 @@ double chordByClipping(const HexLattice &lattice, const Point &a, const Point &b
 }
 
 /// The same by Boost.Geometry, for segments that run along no edge.
-double chordByBoost(const HexLattice &lattice, const Point &a, const Point &b, HexCoord cell)
+template <class LatticeType>
+double chordByBoost(const LatticeType &lattice, const Point &a, const Point &b, OffsetCoord cell)
 {
-    Polygon hexagon;
-    for (const Point &corner : lattice.corners(cell))
-        hexagon.outer().push_back(corner);
-    hexagon.outer().push_back(hexagon.outer().front());
-    bg::correct(hexagon);
+    Polygon polygon = outline(lattice, LatticeType::cell(cell));
+    bg::correct(polygon);
     bg::model::multi_linestring<LineString> parts;
-    bg::intersection(LineString{a, b}, hexagon, parts);
+    bg::intersection(LineString{a, b}, polygon, parts);
     return bg::length(parts);
 }
 
 /// Compares all cells around a segment, and the sum.
-void expectSameChords(const HexLattice &lattice, const Point &a, const Point &b, double tolerance)
+template <class LatticeType>
+void expectSameChords(const LatticeType &lattice, const Point &a, const Point &b, double tolerance)
 {
     const Lengths lengths = chordsOf(lattice, a, b);
     double sum = 0.0;
@@ -92,7 +101,8 @@ void expectSameChords(const HexLattice &lattice, const Point &a, const Point &b,
     {
         EXPECT_GT(length, 0.0);
         sum += length;
-        EXPECT_NEAR(length, chordByClipping(lattice, a, b, cell), tolerance) << "cell " << cell.q << ", " << cell.s;
+        EXPECT_NEAR(length, chordByClipping(lattice, a, b, cell), tolerance)
+            << "cell " << cell.column << ", " << cell.row;
     }
     // what adds up to the whole misses no cell
     EXPECT_NEAR(sum, (b - a).norm(), tolerance);
@@ -100,49 +110,73 @@ void expectSameChords(const HexLattice &lattice, const Point &a, const Point &b,
 
 }  // namespace
 
-TEST(HexChords, halfOfAStepLiesInEitherCell)
+TYPED_TEST(ChordsOf, halfOfAStepLiesInEitherCell)
 {
-    const HexLattice lattice({3.0, -2.0}, 2.0, 9, 9);
-    const HexCoord cell{2, 3};
-    for (const HexCoord step :
-         {HexCoord{1, 0}, HexCoord{0, 1}, HexCoord{-1, 1}, HexCoord{-1, 0}, HexCoord{0, -1}, HexCoord{1, -1}})
-    {
-        const Lengths lengths = chordsOf(lattice, lattice.centre(cell), lattice.centre(cell + step));
-        ASSERT_EQ(lengths.size(), 2u);
-        EXPECT_NEAR(lengthIn(lengths, cell), 1.0, 1e-12);
-        EXPECT_NEAR(lengthIn(lengths, cell + step), 1.0, 1e-12);
-    }
+    const Lattice lattice = TypeParam({3.0, -2.0}, 2.0, 9, 9);
+    for (const OffsetCoord cell : {OffsetCoord{2, 3}, {3, 2}})
+        for (const OffsetCoord neighbour : lattice.neighbours(cell))
+        {
+            const Point a = lattice.centre(cell);
+            const Point b = lattice.centre(neighbour);
+            const Lengths lengths = chordsOf(lattice, a, b);
+            ASSERT_EQ(lengths.size(), 2u);
+            EXPECT_NEAR(lengthIn(lengths, cell), 0.5 * (b - a).norm(), 1e-12);
+            EXPECT_NEAR(lengthIn(lengths, neighbour), 0.5 * (b - a).norm(), 1e-12);
+        }
 }
 
-TEST(HexChords, betweenTwoCellsAnEdgeIsShared)
+TEST(Chords, betweenTwoHexagonsAnEdgeIsShared)
 {
     // a jump over the edge of two neighbours: a side within each end's cell, a side along the edge
     const HexLattice lattice({3.0, -2.0}, 2.0, 9, 9);
     const HexCoord cell{2, 3};
     const Lengths lengths = chordsOf(lattice, lattice.centre(cell), lattice.centre(cell + HexCoord{1, 1}));
+    const auto lengthOf = [&](HexCoord c)
+    {
+        return lengthIn(lengths, toOffset(c));
+    };
     ASSERT_EQ(lengths.size(), 4u);
-    EXPECT_NEAR(lengthIn(lengths, cell), lattice.side(), 1e-12);
-    EXPECT_NEAR(lengthIn(lengths, cell + HexCoord{1, 1}), lattice.side(), 1e-12);
-    EXPECT_NEAR(lengthIn(lengths, cell + HexCoord{1, 0}), 0.5 * lattice.side(), 1e-12);
-    EXPECT_NEAR(lengthIn(lengths, cell + HexCoord{0, 1}), 0.5 * lattice.side(), 1e-12);
+    EXPECT_NEAR(lengthOf(cell), lattice.side(), 1e-12);
+    EXPECT_NEAR(lengthOf(cell + HexCoord{1, 1}), lattice.side(), 1e-12);
+    EXPECT_NEAR(lengthOf(cell + HexCoord{1, 0}), 0.5 * lattice.side(), 1e-12);
+    EXPECT_NEAR(lengthOf(cell + HexCoord{0, 1}), 0.5 * lattice.side(), 1e-12);
 }
 
-TEST(HexChords, noLengthNoPieces)
+TEST(Chords, betweenTwoSquaresAnEdgeIsShared)
 {
-    const HexLattice lattice({0.0, 0.0}, 1.0, 9, 9);
+    // along two edges and a half, level and upright
+    const SquareLattice lattice({3.0, -2.0}, 2.0, 9, 9);
+    const Point corner = lattice.corners({4, 4})[0];
+    const auto expectLengths = [&](const Point &end, const Lengths &expected)
+    {
+        const Lengths lengths = chordsOf(lattice, corner, end);
+        ASSERT_EQ(lengths.size(), expected.size());
+        for (const auto &[cell, length] : expected)
+            EXPECT_NEAR(lengthIn(lengths, cell), length, 1e-12) << "cell " << cell.column << ", " << cell.row;
+    };
+    expectLengths(corner + Point(5.0, 0.0),
+                  {{{4, 3}, 1.0}, {{5, 3}, 1.0}, {{6, 3}, 0.5}, {{4, 4}, 1.0}, {{5, 4}, 1.0}, {{6, 4}, 0.5}});
+    expectLengths(corner - Point(0.0, 3.0), {{{3, 4}, 1.0}, {{4, 4}, 1.0}, {{3, 5}, 0.5}, {{4, 5}, 0.5}});
+}
+
+TYPED_TEST(ChordsOf, noLengthNoPieces)
+{
+    const TypeParam lattice({0.0, 0.0}, 1.0, 9, 9);
     EXPECT_TRUE(chordsOf(lattice, {3.0, -3.0}, {3.0, -3.0}).empty());
-    EXPECT_TRUE(chordsOf(lattice, lattice.centre({2, 2}), lattice.centre({2, 2})).empty());
+    const Point centre = lattice.centre(TypeParam::cell({2, 2}));
+    EXPECT_TRUE(chordsOf(lattice, centre, centre).empty());
 }
 
-TEST(HexChords, everySegmentBetweenPointsOfAFineGrid)
+TYPED_TEST(ChordsOf, everySegmentBetweenPointsOfAFineGrid)
 {
-    // Quarters of the width and the side: centres, corners, middles of edges, and points between, so that a large part
+    // A grid of centres, corners, middles of edges, and points between, so that a large part
     // of the segments runs along edges or through corners. From one cell and its surroundings to all within two cells.
-    const HexLattice lattice({-1.0, 2.0}, 1.5, 9, 9);
-    const HexCoord middle{3, 4};
+    const TypeParam lattice({-1.0, 2.0}, 1.5, 9, 9);
+    const Point middle = lattice.centre(TypeParam::cell({5, 4}));
+    const Point grid = cornerGrid(lattice);
     const auto at = [&](int x, int y)
     {
-        return Point(lattice.centre(middle) + Point(0.25 * x * lattice.pitch(), 0.25 * y * lattice.side()));
+        return Point(middle + Point(x * grid.x(), y * grid.y()));
     };
     int along = 0;
     for (int ax = 0; ax <= 3; ++ax)
@@ -153,21 +187,21 @@ TEST(HexChords, everySegmentBetweenPointsOfAFineGrid)
                     expectSameChords(lattice, at(ax, ay), at(bx, by), 1e-9);
                     ASSERT_FALSE(::testing::Test::HasFailure())
                         << "from " << ax << ", " << ay << " to " << bx << ", " << by;
-                    const HexChords chords(lattice, at(ax, ay), at(bx, by));
-                    for (HexChords walk = chords; walk.next();)
+                    const Chords chords(lattice, at(ax, ay), at(bx, by));
+                    for (Chords walk = chords; walk.next();)
                         along += walk.left() == walk.right() ? 0 : 1;
                 }
     EXPECT_GT(along, 100) << "segments along edges";
 }
 
-TEST(HexChords, randomSegmentsOfAllSizes)
+TYPED_TEST(ChordsOf, randomSegmentsOfAllSizes)
 {
     for (std::uint64_t seed = 1; seed <= 3000; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
         const double pitch = std::pow(10.0, random.real(-3.0, 3.0));
-        const HexLattice lattice({pitch * random.real(-100, 100), pitch * random.real(-100, 100)}, pitch, 40, 40);
+        const TypeParam lattice({pitch * random.real(-100, 100), pitch * random.real(-100, 100)}, pitch, 40, 40);
         const double reach = pitch * std::pow(10.0, random.real(-2.0, 1.3));
         const Point a = random.pointOf(lattice, random.cellOf(lattice));
         Point b = a + reach * random.pointIn({Point(-1, -1), Point(1, 1)});
@@ -178,34 +212,34 @@ TEST(HexChords, randomSegmentsOfAllSizes)
     }
 }
 
-TEST(HexChords, randomSegmentsByBoost)
+TYPED_TEST(ChordsOf, randomSegmentsByBoost)
 {
     for (std::uint64_t seed = 1; seed <= 1000; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice({random.real(-9, 9), random.real(-9, 9)}, random.real(0.5, 5.0), 20, 20);
+        const TypeParam lattice({random.real(-9, 9), random.real(-9, 9)}, random.real(0.5, 5.0), 20, 20);
         const Box box = lattice.bounds();
         const Point a = random.pointIn(box);
         const Point b = random.pointIn(box);
         for (const auto &[cell, length] : chordsOf(lattice, a, b))
-            ASSERT_NEAR(length, chordByBoost(lattice, a, b, cell), 1e-7) << "cell " << cell.q << ", " << cell.s;
+            ASSERT_NEAR(length, chordByBoost(lattice, a, b, cell), 1e-7) << "cell " << cell.column << ", " << cell.row;
     }
 }
 
-TEST(HexChords, theSamePiecesInTheSameOrderBackwards)
+TYPED_TEST(ChordsOf, theSamePiecesInTheSameOrderBackwards)
 {
     for (std::uint64_t seed = 1; seed <= 2000; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice({random.real(-1e4, 1e4), random.real(-1e4, 1e4)}, random.real(0.1, 10.0), 30, 30);
+        const TypeParam lattice({random.real(-1e4, 1e4), random.real(-1e4, 1e4)}, random.real(0.1, 10.0), 30, 30);
         const Point a = random.pointOf(lattice, random.cellOf(lattice));
         Point b = random.pointOf(lattice, random.cellOf(lattice));
         if (seed % 4 == 0)
             b.y() = a.y();
-        HexChords there(lattice, a, b);
-        HexChords back(lattice, b, a);
+        Chords there(lattice, a, b);
+        Chords back(lattice, b, a);
         while (there.next())
         {
             ASSERT_TRUE(back.next());
@@ -217,18 +251,18 @@ TEST(HexChords, theSamePiecesInTheSameOrderBackwards)
     }
 }
 
-TEST(HexChords, propertyCuttingASegmentInTwoChangesNoLength)
+TYPED_TEST(ChordsOf, propertyCuttingASegmentInTwoChangesNoLength)
 {
     checkProperty(3000,
                   []
                   {
-                      const HexLattice lattice({*rc::gen::inRange(-9, 10) * 0.7, 1.0}, 1.4, 12, 12);
-                      // halves of width and side: many segments along edges
+                      const TypeParam lattice({*rc::gen::inRange(-9, 10) * 0.7, 1.0}, 1.4, 12, 12);
+                      // many segments along edges
                       const auto point = [&lattice]
                       {
-                          const double x = 0.5 * lattice.pitch() * *rc::gen::inRange(0, 20);
-                          return Point(lattice.northWest() +
-                                       Point(x, -0.5 * lattice.side() * *rc::gen::inRange(0, 40)));
+                          const Point grid = 2.0 * cornerGrid(lattice);
+                          const double x = grid.x() * *rc::gen::inRange(0, 20);
+                          return Point(lattice.northWest() + Point(x, -grid.y() * *rc::gen::inRange(0, 40)));
                       };
                       const Point a = point();
                       const Point b = point();
@@ -244,18 +278,18 @@ TEST(HexChords, propertyCuttingASegmentInTwoChangesNoLength)
                   });
 }
 
-TEST(HexChords, longSegments)
+TYPED_TEST(ChordsOf, longSegments)
 {
     // 10^5 cells: the sum, and no end of time
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice({-1e5, 1e5}, 3.0, 10, 10);
+        const TypeParam lattice({-1e5, 1e5}, 3.0, 10, 10);
         const Point a(random.real(-1e5, 1e5), random.real(-1e5, 1e5));
         const Point b(random.real(-1e5, 1e5), random.real(-1e5, 1e5));
         double sum = 0.0;
-        forEachChord(lattice, a, b, [&sum](HexCoord, double length) { sum += length; });
+        forEachChord(lattice, a, b, [&sum](OffsetCoord, double length) { sum += length; });
         EXPECT_NEAR(sum / (b - a).norm(), 1.0, 1e-12);
     }
 }
