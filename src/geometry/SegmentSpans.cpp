@@ -23,6 +23,46 @@ std::int64_t toIndex(double value)
     return static_cast<std::int64_t>(std::clamp(value, -farthest, farthest));
 }
 
+/// The corner of a cell that goes farthest along a normal which does not point west. By symmetry it lies in the
+/// eastern half: a hexagon's at its shoulder or its tip.
+Point farthestCorner(bool isHex, double w, double halfHeight, const Point &normal)
+{
+    const double sign = normal.y() < 0.0 ? -1.0 : 1.0;
+    const double northward = halfHeight * std::abs(normal.y());
+    if (isHex && northward > w * normal.x() + 0.5 * northward)
+        return {0.0, sign * halfHeight};
+    return {w, sign * (isHex ? 0.5 * halfHeight : halfHeight)};
+}
+
+/// Half the width of hexagon + disc at a distance of t above or below its centre; negative beyond its ends.
+double halfHexWidth(double w, double side, double reach, double t)
+{
+    // A quarter of the rounded hexagon: level side, corner arc, slanted side, arc about the tip. Each piece lies in the
+    // set, so the largest of those that reach this height is the boundary.
+    if (t <= 0.5 * side)
+        return w + reach;
+    double width = -1.0;
+    const double aboveShoulder = t - 0.5 * side;
+    if (aboveShoulder <= reach)
+        width = w + std::sqrt((reach - aboveShoulder) * (reach + aboveShoulder));
+    const double slanted = (t - 0.5 * side - halfRoot3 * reach) / (0.5 * side);
+    if (slanted >= 0.0 && slanted <= 1.0)
+        width = std::max(width, w * (1.0 - slanted) + 0.5 * reach);
+    const double aboveTip = t - side;
+    if (std::abs(aboveTip) <= reach)
+        width = std::max(width, std::sqrt((reach - aboveTip) * (reach + aboveTip)));
+    return width;
+}
+
+/// The same of square + disc.
+double halfSquareWidth(double w, double reach, double t)
+{
+    const double beyond = t - w;
+    if (beyond <= 0.0)
+        return w + reach;
+    return beyond <= reach ? w + std::sqrt((reach - beyond) * (reach + beyond)) : -1.0;
+}
+
 }  // namespace
 
 double traversalTolerance(const Lattice &lattice, const Point &a, const Point &b)
@@ -52,7 +92,7 @@ SegmentSpans::SegmentSpans(const Lattice &lattice, const Point &a, const Point &
     const Point d = high_ - low_;
     const double length = d.norm();
     const Point normal = length > 0.0 ? Point(d.y() / length, -d.x() / length) : Point(1.0, 0.0);
-    support_ = farthestCorner(normal) + reach_ * normal;
+    support_ = farthestCorner(isHex_, 0.5 * pitch_, halfHeight_, normal) + reach_ * normal;
 
     if (a.allFinite() && b.allFinite() && std::isfinite(radius))
     {
@@ -61,49 +101,11 @@ SegmentSpans::SegmentSpans(const Lattice &lattice, const Point &a, const Point &
     }
 }
 
-Point SegmentSpans::farthestCorner(const Point &normal) const
-{
-    const double w = 0.5 * pitch_;
-    if (!isHex_)
-        return {w, normal.y() < 0.0 ? -w : w};  // a normal never points west
-    Point corner(w, 0.5 * halfHeight_);
-    for (const Point &other : {Point(w, -0.5 * halfHeight_), Point(0.0, halfHeight_), Point(0.0, -halfHeight_)})
-        if (std::abs(normal.dot(other)) > std::abs(normal.dot(corner)))
-            corner = other;
-    return normal.dot(corner) < 0.0 ? Point(-corner) : corner;
-}
-
 double SegmentSpans::halfWidth(double offset) const
 {
+    const double w = 0.5 * pitch_;
     const double t = std::abs(offset);
-    if (isHex_)
-        return halfHexWidth(t);
-    const double w = 0.5 * pitch_;
-    const double beyond = t - w;
-    if (beyond <= 0.0)
-        return w + reach_;
-    return beyond <= reach_ ? w + std::sqrt((reach_ - beyond) * (reach_ + beyond)) : -1.0;
-}
-
-double SegmentSpans::halfHexWidth(double t) const
-{
-    // A quarter of the rounded hexagon: level side, corner arc, slanted side, arc about the tip. Each piece lies in the
-    // set, so the largest of those that reach this height is the boundary.
-    const double side = halfHeight_;
-    const double w = 0.5 * pitch_;
-    if (t <= 0.5 * side)
-        return w + reach_;
-    double width = -1.0;
-    const double aboveShoulder = t - 0.5 * side;
-    if (aboveShoulder <= reach_)
-        width = w + std::sqrt((reach_ - aboveShoulder) * (reach_ + aboveShoulder));
-    const double slanted = (t - 0.5 * side - halfRoot3 * reach_) / (0.5 * side);
-    if (slanted >= 0.0 && slanted <= 1.0)
-        width = std::max(width, w * (1.0 - slanted) + 0.5 * reach_);
-    const double aboveTip = t - side;
-    if (std::abs(aboveTip) <= reach_)
-        width = std::max(width, std::sqrt((reach_ - aboveTip) * (reach_ + aboveTip)));
-    return width;
+    return isHex_ ? halfHexWidth(w, halfHeight_, reach_, t) : halfSquareWidth(w, reach_, t);
 }
 
 RowSpan SegmentSpans::span(std::int64_t row) const

@@ -58,7 +58,8 @@ void ScanlineFill::placeRing(const Ring &ring, int orientation)
 void ScanlineFill::fill(const Polygon &polygon, CellBits &bits)
 {
     // Counting sort by row: count, sum up, place from the end; then sort the few crossings of each row by x.
-    rowStart_.assign(static_cast<std::size_t>(lattice_.rows()) + 1, 0);
+    const std::int64_t rows = lattice_.rows();
+    rowStart_.assign(static_cast<std::size_t>(rows) + 1, 0);
     countRing(polygon.outer());
     for (const Ring &hole : polygon.inners())
         countRing(hole);
@@ -73,7 +74,7 @@ void ScanlineFill::fill(const Polygon &polygon, CellBits &bits)
         placeRing(hole, signedArea(hole) < 0.0 ? 1 : -1);
 
     const double perColumn = 1.0 / lattice_.pitch();
-    for (std::int64_t row = 0; row < lattice_.rows(); ++row)
+    for (std::int64_t row = 0; row < rows; ++row)
     {
         const auto begin = crossings_.begin() + rowStart_[static_cast<std::size_t>(row)];
         const auto end = crossings_.begin() + rowStart_[static_cast<std::size_t>(row) + 1];

@@ -46,10 +46,8 @@ public:
     RowSpan span(std::int64_t row) const;
 
 private:
-    Point farthestCorner(const Point &normal) const;
     /// Half the width of cell + disc at a distance of `offset` above or below its centre; negative beyond its ends.
     double halfWidth(double offset) const;
-    double halfHexWidth(double offset) const;
 
     bool isHex_;
     double pitch_;
