@@ -2,7 +2,7 @@
 #include <seahex/world/SegmentValidity.h>
 
 #include "support/AsciiWorld.h"
-#include "support/HexOracle.h"
+#include "support/LatticeKinds.h"
 #include "support/RandomShapes.h"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ using namespace seahex::test;
 namespace
 {
 
-double largestCoordinate(const HexLattice &lattice, const Shape &shape)
+template <class LatticeType>
+double largestCoordinate(const LatticeType &lattice, const Shape &shape)
 {
     double largest = std::max(lattice.northWest().cwiseAbs().maxCoeff(), lattice.pitch());
     for (const Point &p : shape.points)
@@ -36,7 +37,9 @@ double largestCoordinate(const HexLattice &lattice, const Shape &shape)
     return largest;
 }
 
-std::shared_ptr<const HexOccupancy> blockedBy(const HexLattice &lattice, const Shape &shape, double radius)
+template <class LatticeType>
+std::shared_ptr<const LatticeOccupancy<LatticeType>> blockedBy(const LatticeType &lattice, const Shape &shape,
+                                                               double radius)
 {
     OccupancyBuilder builder(lattice);
     builder.block(shape, radius);
@@ -44,14 +47,15 @@ std::shared_ptr<const HexOccupancy> blockedBy(const HexLattice &lattice, const S
 }
 
 /// Each cell: blocked if it is within the radius of the shape, free if it is farther than that and the tolerance.
-std::string judge(const HexLattice &lattice, const Shape &shape, double radius)
+template <class LatticeType>
+std::string judge(const LatticeType &lattice, const Shape &shape, double radius)
 {
     const auto occupancy = blockedBy(lattice, shape, radius);
-    const HexOracle oracle(lattice);
+    const CellOracle<LatticeType> oracle(lattice);
     const double tolerance = 1e-9 * largestCoordinate(lattice, shape);
     std::string verdict;
     forEachCell(lattice, 0,
-                [&](HexCoord cell)
+                [&](typename LatticeType::Cell cell)
                 {
                     const long double distance = oracle.distance(shape, cell);
                     const bool blocked = occupancy->isBlocked(cell);
@@ -64,7 +68,8 @@ std::string judge(const HexLattice &lattice, const Shape &shape, double radius)
     return verdict;
 }
 
-HexLattice smallLattice(Random &random)
+template <class LatticeType>
+LatticeType smallLattice(Random &random)
 {
     const double pitch = std::pow(10.0, random.real(-3.0, 2.0));
     const Point origin = pitch * random.pointIn({Point(-40, -40), Point(40, 40)});
@@ -77,7 +82,8 @@ double anyRadius(Random &random, double pitch)
 }
 
 /// A point in or somewhat beyond the lattice.
-Point around(Random &random, const HexLattice &lattice)
+template <class LatticeType>
+Point around(Random &random, const LatticeType &lattice)
 {
     const Box box = lattice.bounds();
     const Point margin(3.0 * lattice.pitch(), 3.0 * lattice.pitch());
@@ -91,15 +97,22 @@ Ring ringOf(std::initializer_list<Point> points)
     return ring;
 }
 
+template <class LatticeType>
+class OccupancyBuilderOf : public ::testing::Test
+{
+};
+
+TYPED_TEST_SUITE(OccupancyBuilderOf, LatticeKinds, LatticeKindNames);
+
 }  // namespace
 
-TEST(OccupancyBuilder, areasWithLakesAndIslands)
+TYPED_TEST(OccupancyBuilderOf, areasWithLakesAndIslands)
 {
     for (std::uint64_t seed = 1; seed <= 1500; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice = smallLattice(random);
+        const TypeParam lattice = smallLattice<TypeParam>(random);
         Shape shape;
         Polygon island;
         const double size = lattice.pitch() * std::pow(10.0, random.real(-1.5, 1.3));
@@ -110,13 +123,13 @@ TEST(OccupancyBuilder, areasWithLakesAndIslands)
     }
 }
 
-TEST(OccupancyBuilder, pointsAndLines)
+TYPED_TEST(OccupancyBuilderOf, pointsAndLines)
 {
     for (std::uint64_t seed = 1; seed <= 1500; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice = smallLattice(random);
+        const TypeParam lattice = smallLattice<TypeParam>(random);
         Shape shape;
         for (std::int64_t i = random.integer(0, 3); i > 0; --i)
             shape.points.push_back(random.chance(0.5) ? random.pointOf(lattice, random.cellOf(lattice))
@@ -130,13 +143,13 @@ TEST(OccupancyBuilder, pointsAndLines)
     }
 }
 
-TEST(OccupancyBuilder, ringsThatCrossThemselvesBlockTooMuchRatherThanTooLittle)
+TYPED_TEST(OccupancyBuilderOf, ringsThatCrossThemselvesBlockTooMuchRatherThanTooLittle)
 {
     for (std::uint64_t seed = 1; seed <= 600; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice({-7.0, 3.0}, 1.0, 20, 16);
+        const TypeParam lattice({-7.0, 3.0}, 1.0, 20, 16);
         Shape shape;
         shape.areas.resize(1);
         shape.areas[0].outer() = crossedRing(random, lattice.bounds());
@@ -144,33 +157,37 @@ TEST(OccupancyBuilder, ringsThatCrossThemselvesBlockTooMuchRatherThanTooLittle)
             shape.areas[0].inners().push_back(crossedRing(random, lattice.bounds()));
         const double radius = anyRadius(random, 1.0);
         const auto occupancy = blockedBy(lattice, shape, radius);
-        const HexOracle oracle(lattice);
+        const CellOracle<TypeParam> oracle(lattice);
         forEachCell(lattice, 0,
-                    [&](HexCoord cell)
+                    [&](typename TypeParam::Cell cell)
                     { ASSERT_TRUE(occupancy->isBlocked(cell) || oracle.distance(shape, cell) > radius); });
     }
 }
 
-TEST(OccupancyBuilder, cellsTouchedInAnEdgeOrACornerAreBlocked)
+TYPED_TEST(OccupancyBuilderOf, cellsTouchedInAnEdgeOrACornerAreBlocked)
 {
-    const HexLattice lattice({100.0, 200.0}, 2.0, 9, 9);
-    const HexCoord cell = toCube({4, 4});
+    const TypeParam lattice({100.0, 200.0}, 2.0, 9, 9);
+    const auto cell = TypeParam::cell({4, 4});
     const auto corners = lattice.corners(cell);
-    for (std::size_t i = 0; i < 6; ++i)
+    constexpr std::size_t atCorner = cellsAtCorner<TypeParam>;
+    const std::size_t cornerCount = corners.size();
+    for (std::size_t i = 0; i < cornerCount; ++i)
     {
         Shape corner;
         corner.points = {corners[i]};
-        EXPECT_EQ(blockedBy(lattice, corner, 0.0)->blockedCount(), 3) << "corner " << i;
+        EXPECT_EQ(blockedBy(lattice, corner, 0.0)->blockedCount(), static_cast<std::int64_t>(atCorner))
+            << "corner " << i;
         Shape edge;
-        edge.lines = {LineString{corners[i], corners[(i + 1) % 6]}};
-        EXPECT_EQ(blockedBy(lattice, edge, 0.0)->blockedCount(), 4) << "edge " << i;
+        edge.lines = {LineString{corners[i], corners[(i + 1) % cornerCount]}};
+        EXPECT_EQ(blockedBy(lattice, edge, 0.0)->blockedCount(), static_cast<std::int64_t>(2 * atCorner - 2))
+            << "edge " << i;
     }
-    // the cell itself as an area: it and its six neighbours
+    // the cell itself as an area: it and all that touch it
     Shape area;
     area.areas.resize(1);
     area.areas[0].outer().assign(corners.begin(), corners.end());
     area.areas[0].outer().push_back(corners[0]);
-    EXPECT_EQ(blockedBy(lattice, area, 0.0)->blockedCount(), 7);
+    EXPECT_EQ(blockedBy(lattice, area, 0.0)->blockedCount(), atCorner == 3 ? 7 : 9);
 }
 
 TEST(OccupancyBuilder, aReefThinnerThanACellIsNotLost)
@@ -221,10 +238,10 @@ TEST(OccupancyBuilder, aRadiusIsRound)
 )");
 }
 
-TEST(OccupancyBuilder, degenerateShapesBlockWhatTheyTouch)
+TYPED_TEST(OccupancyBuilderOf, degenerateShapesBlockWhatTheyTouch)
 {
-    const HexLattice lattice(Point::Zero(), 1.0, 9, 9);
-    const Point p = lattice.centre(toCube({4, 4}));
+    const TypeParam lattice(Point::Zero(), 1.0, 9, 9);
+    const Point p = lattice.centre(TypeParam::cell({4, 4}));
     Shape point;
     point.points = {p};
     for (const double radius : {0.0, 1.2})
@@ -251,9 +268,9 @@ TEST(OccupancyBuilder, degenerateShapesBlockWhatTheyTouch)
     EXPECT_EQ(blockedBy(lattice, nothing, 1.0)->blockedCount(), 0);
 }
 
-TEST(OccupancyBuilder, whatLiesFarAwayBlocksNothingAndWhatComesFromThereDoes)
+TYPED_TEST(OccupancyBuilderOf, whatLiesFarAwayBlocksNothingAndWhatComesFromThereDoes)
 {
-    const HexLattice lattice(Point::Zero(), 1.0, 9, 9);
+    const TypeParam lattice(Point::Zero(), 1.0, 9, 9);
     Shape far;
     far.points = {Point(1e9, 0), Point(0, -1e9), Point(40, -4)};
     far.lines = {LineString{Point(-1e6, 50), Point(1e6, 50)}};
@@ -264,14 +281,14 @@ TEST(OccupancyBuilder, whatLiesFarAwayBlocksNothingAndWhatComesFromThereDoes)
     EXPECT_GE(blockedBy(lattice, through, 0.0)->blockedCount(), 9);
 }
 
-TEST(OccupancyBuilder, outsideOfTheCoverageIsBlocked)
+TYPED_TEST(OccupancyBuilderOf, outsideOfTheCoverageIsBlocked)
 {
     for (std::uint64_t seed = 1; seed <= 300; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
         const double pitch = std::pow(10.0, random.real(-2.0, 2.0));
-        const HexLattice lattice({pitch * random.real(-9, 9), pitch * random.real(-9, 9)}, pitch, 30, 20);
+        const TypeParam lattice({pitch * random.real(-9, 9), pitch * random.real(-9, 9)}, pitch, 30, 20);
         // up to three coverages side by side, with or without gaps in them, one perhaps over the border
         std::vector<Polygon> areas;
         for (std::int64_t i = random.integer(0, 3); i > 0; --i)
@@ -283,9 +300,9 @@ TEST(OccupancyBuilder, outsideOfTheCoverageIsBlocked)
         OccupancyBuilder builder(lattice);
         builder.blockOutside(areas, radius);
         const auto occupancy = builder.build();
-        const HexOracle oracle(lattice);
+        const CellOracle<TypeParam> oracle(lattice);
         forEachCell(lattice, 0,
-                    [&](HexCoord cell)
+                    [&](typename TypeParam::Cell cell)
                     {
                         bool inside = false;
                         long double edge = std::numeric_limits<long double>::infinity();
@@ -300,19 +317,19 @@ TEST(OccupancyBuilder, outsideOfTheCoverageIsBlocked)
                         ASSERT_TRUE(!mustBeFree || occupancy->isFree(cell)) << toPicture(*occupancy);
                     });
         forEachCell(lattice, CellLayout::frame,
-                    [&](HexCoord cell) {
+                    [&](typename TypeParam::Cell cell) {
                         ASSERT_TRUE(lattice.contains(cell) || occupancy->isBlockedAt(occupancy->layout().index(cell)));
                     });
     }
 }
 
-TEST(OccupancyBuilder, shapesAddUp)
+TYPED_TEST(OccupancyBuilderOf, shapesAddUp)
 {
     for (std::uint64_t seed = 1; seed <= 100; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const HexLattice lattice({0.0, 0.0}, 1.0, 30, 20);
+        const TypeParam lattice({0.0, 0.0}, 1.0, 30, 20);
         Shape first;
         first.areas.push_back(randomArea(random, around(random, lattice), 6.0, true));
         Shape second;
@@ -326,15 +343,15 @@ TEST(OccupancyBuilder, shapesAddUp)
         const auto other = blockedBy(lattice, second, 0.7);
         EXPECT_EQ(before->words(), one->words()) << "what was built does not change any more";
         forEachCell(lattice, 0,
-                    [&](HexCoord cell)
+                    [&](typename TypeParam::Cell cell)
                     { ASSERT_EQ(both->isBlocked(cell), one->isBlocked(cell) || other->isBlocked(cell)); });
     }
 }
 
-TEST(OccupancyBuilder, refusesWhatIsNoNumber)
+TYPED_TEST(OccupancyBuilderOf, refusesWhatIsNoNumber)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    OccupancyBuilder builder(HexLattice(Point(0, 0), 1.0, 4, 4));
+    OccupancyBuilder builder(TypeParam(Point(0, 0), 1.0, 4, 4));
     Shape point;
     point.points.push_back(Point(1.0, nan));
     EXPECT_THROW(builder.block(point, 0.0), std::domain_error);
@@ -346,9 +363,9 @@ TEST(OccupancyBuilder, refusesWhatIsNoNumber)
     EXPECT_THROW(builder.blockOutside(area.areas, 0.0), std::domain_error);
 }
 
-TEST(OccupancyBuilder, takesCoordinatesBeyondAllMeasure)
+TYPED_TEST(OccupancyBuilderOf, takesCoordinatesBeyondAllMeasure)
 {
-    OccupancyBuilder builder(HexLattice(Point(0, 0), 1.0, 4, 4));
+    OccupancyBuilder builder(TypeParam(Point(0, 0), 1.0, 4, 4));
     Shape line;
     line.lines.push_back({Point(-1e300, -2.0), Point(1e300, -2.0)});
     line.points.push_back(Point(1e25, -1e25));

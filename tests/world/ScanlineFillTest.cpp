@@ -1,7 +1,7 @@
 #include <seahex/world/ScanlineFill.h>
 
 #include "support/AsciiWorld.h"
-#include "support/HexOracle.h"
+#include "support/LatticeKinds.h"
 #include "support/RandomShapes.h"
 
 #include <algorithm>
@@ -18,7 +18,8 @@ using namespace seahex::test;
 namespace
 {
 
-bool isSet(const CellBits &bits, HexCoord cell)
+template <class Cell>
+bool isSet(const CellBits &bits, Cell cell)
 {
     const CellIndex index = bits.layout().index(cell);
     return ((bits.words()[index >> 6] >> (index & 63)) & 1) != 0;
@@ -36,17 +37,24 @@ Ring ringOf(std::initializer_list<Point> points)
     return ring;
 }
 
+template <class LatticeType>
+class ScanlineFillOf : public ::testing::Test
+{
+};
+
+TYPED_TEST_SUITE(ScanlineFillOf, LatticeKinds, LatticeKindNames);
+
 }  // namespace
 
-TEST(ScanlineFill, setsTheCentresInsideAndNoOthers)
+TYPED_TEST(ScanlineFillOf, setsTheCentresInsideAndNoOthers)
 {
     for (std::uint64_t seed = 1; seed <= 1500; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
         const double pitch = random.real(0.1, 10.0);
-        const HexLattice lattice({random.real(-50, 50), random.real(-50, 50)}, pitch, random.integer(1, 90),
-                                 random.integer(1, 20));
+        const TypeParam lattice({random.real(-50, 50), random.real(-50, 50)}, pitch, random.integer(1, 90),
+                                random.integer(1, 20));
         ScanlineFill fill(lattice);
         // two polygons, one after the other, with the same buffers
         for (int i = 0; i < 2; ++i)
@@ -55,10 +63,10 @@ TEST(ScanlineFill, setsTheCentresInsideAndNoOthers)
             Polygon area = randomArea(random, centre, pitch * random.real(0.5, 30.0), random.chance(0.5));
             CellBits bits(CellLayout(lattice.columns(), lattice.rows()));
             fill.fill(area, bits);
-            const HexOracle oracle(lattice);
+            const CellOracle<TypeParam> oracle(lattice);
             boost::geometry::correct(area);
             forEachCell(lattice, 0,
-                        [&](HexCoord cell)
+                        [&](typename TypeParam::Cell cell)
                         {
                             const bool inside = boost::geometry::within(lattice.centre(cell), area);
                             ASSERT_EQ(oracle.isCentreInside(area, cell), inside) << "the oracles disagree";
@@ -68,16 +76,16 @@ TEST(ScanlineFill, setsTheCentresInsideAndNoOthers)
     }
 }
 
-TEST(ScanlineFill, cutsWhatReachesBeyondTheLattice)
+TYPED_TEST(ScanlineFillOf, cutsWhatReachesBeyondTheLattice)
 {
-    const HexLattice lattice(Point::Zero(), 1.0, 70, 8);
+    const TypeParam lattice(Point::Zero(), 1.0, 70, 8);
     const CellLayout layout(70, 8);
     Polygon around;
     around.outer() = ringOf({Point(-1e6, -1e6), Point(1e6, -1e6), Point(1e6, 1e6), Point(-1e6, 1e6)});
     CellBits bits(layout);
     ScanlineFill(lattice).fill(around, bits);
     forEachCell(lattice, CellLayout::frame,
-                [&](HexCoord cell)
+                [&](typename TypeParam::Cell cell)
                 { ASSERT_EQ(isSet(bits, cell), lattice.contains(cell)) << "the frame is not written"; });
 
     CellBits none(layout);
@@ -114,10 +122,10 @@ TEST(ScanlineFill, holesStayOpenWhateverTheirOrientation)
     }
 }
 
-TEST(ScanlineFill, ringsThatCrossThemselvesFillTooMuchRatherThanTooLittle)
+TYPED_TEST(ScanlineFillOf, ringsThatCrossThemselvesFillTooMuchRatherThanTooLittle)
 {
     // an hourglass: both lobes, though they wind in opposite directions
-    const HexLattice lattice(Point::Zero(), 1.0, 20, 20);
+    const TypeParam lattice(Point::Zero(), 1.0, 20, 20);
     Polygon hourglass;
     hourglass.outer() = ringOf({Point(3, -3), Point(15, -3), Point(3, -14), Point(15, -14)});
     CellBits bits(CellLayout(20, 20));
@@ -143,15 +151,16 @@ TEST(ScanlineFill, ringsThatCrossThemselvesFillTooMuchRatherThanTooLittle)
         area.outer() = crossedRing(random, lattice.bounds());
         CellBits crossed(CellLayout(20, 20));
         ScanlineFill(lattice).fill(area, crossed);
-        const HexOracle oracle(lattice);
+        const CellOracle<TypeParam> oracle(lattice);
         forEachCell(lattice, 0,
-                    [&](HexCoord cell) { ASSERT_TRUE(isSet(crossed, cell) || !oracle.isCentreInside(area, cell)); });
+                    [&](typename TypeParam::Cell cell)
+                    { ASSERT_TRUE(isSet(crossed, cell) || !oracle.isCentreInside(area, cell)); });
     }
 }
 
-TEST(ScanlineFill, degenerateRingsFillNothing)
+TYPED_TEST(ScanlineFillOf, degenerateRingsFillNothing)
 {
-    const HexLattice lattice(Point::Zero(), 1.0, 10, 10);
+    const TypeParam lattice(Point::Zero(), 1.0, 10, 10);
     CellBits bits(CellLayout(10, 10));
     ScanlineFill fill(lattice);
     Polygon area;
@@ -165,18 +174,18 @@ TEST(ScanlineFill, degenerateRingsFillNothing)
     EXPECT_EQ(bits.words(), CellBits(CellLayout(10, 10)).words());
 }
 
-TEST(ScanlineFill, verticesOnRowsOfCentresCountOnce)
+TYPED_TEST(ScanlineFillOf, verticesOnRowsOfCentresCountOnce)
 {
     // corners and level edges exactly on the rows' centre lines
-    const HexLattice lattice(Point::Zero(), 2.0, 12, 12);
+    const TypeParam lattice(Point::Zero(), 2.0, 12, 12);
     for (std::uint64_t seed = 1; seed <= 1000; ++seed)
     {
         Random random(seed);
         SCOPED_TRACE(random.seedText());
-        const Point middle = lattice.centre(toCube({6, 6}));
+        const Point middle = lattice.centre(TypeParam::cell({6, 6}));
         const auto level = [&](std::int64_t row)
         {
-            return lattice.centre(toCube({0, row})).y();
+            return lattice.centre(TypeParam::cell({0, row})).y();
         };
         const double west = middle.x() - random.real(1.0, 9.0);
         const double east = middle.x() + random.real(1.0, 9.0);
@@ -188,9 +197,9 @@ TEST(ScanlineFill, verticesOnRowsOfCentresCountOnce)
                     Point(middle.x(), level(random.integer(-2, 4)))});
         CellBits bits(CellLayout(12, 12));
         ScanlineFill(lattice).fill(area, bits);
-        const HexOracle oracle(lattice);
+        const CellOracle<TypeParam> oracle(lattice);
         forEachCell(lattice, 0,
-                    [&](HexCoord cell)
+                    [&](typename TypeParam::Cell cell)
                     {
                         // centres on an edge may fall either way
                         double gap = 1e9;
