@@ -1,6 +1,7 @@
 #include "seahex/chart/ChartArena.h"
 
 #include "support/Random.h"
+#include "support/SquareOracle.h"
 #include "support/TestCharts.h"
 
 #include <seahex/chart/ChartReader.h>
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 
 namespace seahex
@@ -144,6 +147,60 @@ TEST(ChartArena, isWhatBuildOccupancyGives)
 {
     const auto occupancy = buildOccupancy(chart(), Vessel(), 50.0);
     EXPECT_EQ(occupancy->words(), arenaWith(0.0).occupancy()->words());
+}
+
+/// Is the cell within a hazard's radius, outside the coverage or too near to its edge? Cell by cell in long double;
+/// empty where that is closer than rounding.
+std::optional<bool> mustBeBlocked(const ChartArena &arena, const test::SquareOracle &oracle, OffsetCoord cell)
+{
+    constexpr long double rounding = 1e-4L;
+    bool isBlocked = false;
+    bool isClose = false;
+    const auto keepOut = [&](long double distance, double radiusM)
+    {
+        const long double gap = distance - arena.scale() * (radiusM + ChartArena::growthM);
+        isBlocked = isBlocked || gap < -rounding;
+        isClose = isClose || std::abs(gap) <= rounding;
+    };
+    bool isCovered = false;
+    for (const Polygon &area : arena.coverage().areas)
+    {
+        isCovered = isCovered || oracle.isCentreInside(area, cell);
+        keepOut(oracle.distanceToRings(area, cell), arena.vessel().marginM);
+    }
+    for (std::size_t i = 0; i < arena.hazards().size(); ++i)
+        if (arena.verdicts()[i].blocks())
+            keepOut(oracle.distance(arena.hazards()[i].shape, cell),
+                    keepOutRadiusM(*arena.hazards()[i].object, arena.vessel()));
+    if (isBlocked || !isCovered)
+        return true;
+    return isClose ? std::nullopt : std::optional<bool>(false);
+}
+
+TEST(ChartArena, fillsSquaresOfTheSameWater)
+{
+    for (const double margin : {0.0, 150.0})
+    {
+        const ChartArena arena = arenaWith(margin, 100.0);
+        const HexLattice &hexagons = arena.occupancy()->lattice();
+        EXPECT_EQ(arena.fill(hexagons)->words(), arena.occupancy()->words());
+
+        const auto lattice = SquareLattice::covering(hexagons.bounds(), hexagons.pitch());
+        const auto squares = arena.fill(lattice);
+        const test::SquareOracle oracle(lattice);
+        std::int64_t judged = 0;
+        test::forEachCell(lattice, 0,
+                          [&](OffsetCoord cell)
+                          {
+                              const std::optional<bool> expected = mustBeBlocked(arena, oracle, cell);
+                              judged += expected ? 1 : 0;
+                              ASSERT_EQ(squares->isBlocked(cell), expected.value_or(squares->isBlocked(cell)))
+                                  << "column " << cell.column << ", row " << cell.row << ", margin " << margin;
+                          });
+        EXPECT_GT(judged, lattice.cellCount() - 10);
+        EXPECT_GT(squares->blockedCount(), 100);
+        EXPECT_LT(squares->blockedCount(), lattice.cellCount() / 2);
+    }
 }
 
 }  // namespace

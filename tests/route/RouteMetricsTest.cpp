@@ -1,10 +1,16 @@
 #include "seahex/route/RouteMetrics.h"
 
 #include "support/AsciiWorld.h"
+#include "support/LatticeKinds.h"
+#include "support/Random.h"
+
+#include <seahex/geometry/LatticeNorm.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace seahex
 {
@@ -100,6 +106,129 @@ TEST(RouteMetrics, isEmptyForAnEmptyRoute)
     EXPECT_EQ(metrics.turns, 0);
     EXPECT_EQ(metrics.lengthCells, 0.0);
     EXPECT_EQ(metrics.lengthLattice, 0.0);
+}
+
+TEST(RouteMetrics, countsOctileStepsOnSquares)
+{
+    const test::SquareWorld world(R"(
+        A . . B . . .
+        . . . . . . .
+        . . . . . C .
+        . . . . . D .
+        . . . . . . .
+    )",
+                                  10.0, Point(-30.0, 70.0));
+    const Route route({world.centre('A'), world.centre('B'), world.centre('C'), world.centre('D')});
+    const double length = 3.0 + 2.0 * std::sqrt(2.0) + 1.0;
+    const RouteMetrics all = measureRoute(route, world.occupancy(), CountedLegs::All);
+    EXPECT_NEAR(all.lengthCells, length, 1e-12);
+    EXPECT_NEAR(all.lengthLattice, length, 1e-12);
+    EXPECT_EQ(all.turns, 2);
+    EXPECT_NEAR(all.turnAngleDeg(), 90.0, 1e-9);
+    const RouteMetrics inner = measureRoute(route, world.occupancy(), CountedLegs::BetweenCentres);
+    EXPECT_NEAR(inner.lengthLattice, 2.0 * std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(inner.lengthCells, length, 1e-12);
+    EXPECT_EQ(inner.turns, 0);
+    // a leg that is no step: 5 columns and 2 rows are 3 level and 2 diagonal steps
+    const Route straight({world.centre('A'), world.centre('C')});
+    EXPECT_NEAR(measureRoute(straight, world.occupancy(), CountedLegs::All).lengthLattice, 3.0 + 2.0 * std::sqrt(2.0),
+                1e-12);
+    EXPECT_NEAR(measureRoute(straight, world.occupancy(), CountedLegs::All).lengthCells, std::sqrt(29.0), 1e-12);
+}
+
+TEST(RouteMetrics, potentialHazardsOfSquaresAreTheEightAround)
+{
+    const test::SquareWorld world(R"(
+        # . # . . #
+        . A B . # .
+        # . . C . .
+        . # . . . #
+    )");
+    const auto hazards = [&world](const std::vector<Point> &points)
+    {
+        return measureRoute(Route(points), world.occupancy(), CountedLegs::All).potentialHazards;
+    };
+    // two over A's corners to the north-west and south-west, the third beside B
+    EXPECT_EQ(hazards({world.centre('A'), world.centre('B')}), 3);
+    // the diagonal step touches the two cells beside it; of their neighbours (4, 1) is one, and the one below (2, 2)
+    EXPECT_EQ(hazards({world.centre('B'), world.centre('C')}), 3);
+    EXPECT_EQ(hazards({world.centre('A'), world.centre('B'), world.centre('C')}), 5);
+}
+
+template <class LatticeType>
+class RouteMetricsOf : public ::testing::Test
+{
+};
+
+TYPED_TEST_SUITE(RouteMetricsOf, test::LatticeKinds, test::LatticeKindNames);
+
+TYPED_TEST(RouteMetricsOf, equalBruteForceOnRoutesOfCentres)
+{
+    using Cell = typename TypeParam::Cell;
+    // the farthest that centres of cells that touch are apart, in pitches, and a little more
+    const double reach = test::cellsAtCorner<TypeParam> == 3 ? 1.01 : 1.42;
+    test::forEachSeed(
+        300,
+        [&](test::Random &random)
+        {
+            const TypeParam lattice(Point(random.real(-50, 50), random.real(-50, 50)), random.real(0.2, 20.0),
+                                    random.integer(2, 14), random.integer(2, 14));
+            const auto occupancy = test::randomOccupancy(random, lattice, random.real(0.0, 0.6));
+            std::vector<Cell> cells = {random.cellOf(lattice)};
+            for (std::int64_t legs = random.integer(1, 4); legs > 0;)
+            {
+                const Cell next = random.cellOf(lattice);
+                if (next == cells.back())
+                    continue;
+                cells.push_back(next);
+                --legs;
+            }
+            std::vector<Point> points;
+            for (const Cell cell : cells)
+                points.push_back(lattice.centre(cell));
+            const RouteMetrics metrics = measureRoute(Route(points), *occupancy, CountedLegs::All);
+
+            std::int64_t hazards = 0;
+            test::forEachCell(lattice, 0,
+                              [&](Cell rock)
+                              {
+                                  bool isBeside = false;
+                                  test::forEachCell(lattice, 0,
+                                                    [&](Cell cell)
+                                                    {
+                                                        const double apart =
+                                                            (lattice.centre(cell) - lattice.centre(rock)).norm();
+                                                        if (cell == rock || apart > reach * lattice.pitch())
+                                                            return;
+                                                        for (std::size_t i = 1; i < cells.size(); ++i)
+                                                            isBeside = isBeside || test::touchesExactly<std::int64_t>(
+                                                                                       cells[i - 1], cells[i], cell);
+                                                    });
+                                  hazards += occupancy->isBlocked(rock) && isBeside ? 1 : 0;
+                              });
+            ASSERT_EQ(metrics.potentialHazards, hazards) << test::toPicture(*occupancy, cells);
+
+            double length = 0.0;
+            double steps = 0.0;
+            int turns = 0;
+            double angle = 0.0;
+            for (std::size_t i = 1; i < points.size(); ++i)
+            {
+                const Point leg = points[i] - points[i - 1];
+                length += leg.norm();
+                steps += latticeDistance(toOffset(cells[i - 1]), toOffset(cells[i]), lattice);
+                if (i == 1)
+                    continue;
+                const Point before = points[i - 1] - points[i - 2];
+                const double turn = std::acos(std::clamp(leg.dot(before) / (leg.norm() * before.norm()), -1.0, 1.0));
+                turns += turn > 1e-5 ? 1 : 0;
+                angle += turn > 1e-5 ? turn : 0.0;
+            }
+            ASSERT_NEAR(metrics.lengthCells, length / lattice.pitch(), 1e-9);
+            ASSERT_NEAR(metrics.lengthLattice, steps, 1e-9);
+            ASSERT_EQ(metrics.turns, turns);
+            ASSERT_NEAR(metrics.turnAngleRad, angle, 1e-6);
+        });
 }
 
 }  // namespace
