@@ -1,5 +1,6 @@
 #pragma once
 
+#include <seahex/planning/ClearanceObjective.h>
 #include <seahex/planning/LatticeLengthObjective.h>
 #include <seahex/planning/SafetyWeightObjective.h>
 #include <seahex/planning/WeightedSumObjective.h>
@@ -88,6 +89,16 @@ inline const std::vector<ChartObjective> chartObjectives = {
              si, std::vector<WeightedSumObjective::Part>{
                      {std::make_shared<ompl::base::PathLengthOptimizationObjective>(si), 0.7},
                      {std::make_shared<SafetyWeightObjective>(si, occupancy, SafetyCharge::OnArrival), 0.3}});
+     }},
+    {"safety weight along the line", false,
+     [](const auto &si, const auto &occupancy)
+     {
+         return std::make_shared<SafetyWeightObjective>(si, occupancy, SafetyCharge::AlongLine);
+     }},
+    {"clearance", false,
+     [](const auto &si, const auto &occupancy)
+     {
+         return std::make_shared<ClearanceObjective>(si, occupancy, 3.0 * occupancy.lattice().pitch(), 4.0);
      }},
     {"hills", false,
      [](const auto &si, const auto &)

@@ -23,10 +23,10 @@ TYPED_TEST(LatticeOptima, AreDijkstrasReadAndAsked)
 {
     std::map<std::string, int> found;
     int unreachable = 0;
-    forEachSeed(600,
+    forEachSeed(800,
                 [&](Random &random)
                 {
-                    const ChartObjective &objective = chartObjectives[static_cast<std::size_t>(random.integer(0, 5))];
+                    const ChartObjective &objective = chartObjectives[static_cast<std::size_t>(random.integer(0, 7))];
                     const ChartQuestion<TypeParam> question(random, objective);
                     SCOPED_TRACE(objective.name + ", " + toString(question.guidance) + ", reach " +
                                  std::to_string(question.reach) + toPicture(*question.world.occupancy));

@@ -1,17 +1,13 @@
-#include <seahex/planning/LatticeLengthObjective.h>
-#include <seahex/planning/SafetyWeightObjective.h>
 #include <seahex/planning/SquareAStar.h>
 
 #include "planning/SquareBay.h"
 
-#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <thread>
 
@@ -220,12 +216,6 @@ TEST_F(SquareAStarContract, TwoPlannersOnOneSpaceInTwoThreads)
     one.join();
     two.join();
     EXPECT_EQ(right, 200);
-}
-
-TEST_F(SquareAStarContract, TheWeightAlongTheLineIsForHexagons)
-{
-    EXPECT_THROW(SafetyWeightObjective(si, world.occupancy(), SafetyCharge::AlongLine), ompl::Exception);
-    EXPECT_NO_THROW(SafetyWeightObjective(si, world.occupancy(), SafetyCharge::OnArrival));
 }
 
 }  // namespace
