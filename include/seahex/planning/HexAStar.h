@@ -25,7 +25,7 @@ public:
     bool getAnytime() const { return anytime_; }
 
     /// Try every successor of a ring, also those that repeat shorter collinear jumps (JumpSet::All). Only matters where
-    /// the objective is a length; others always use all.
+    /// the objective is a length and jumps are safe; all are tried elsewhere.
     void setAllJumps(bool all);
     bool getAllJumps() const { return allJumps_; }
 

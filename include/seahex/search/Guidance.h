@@ -18,7 +18,7 @@ enum class Guidance
     /// for Euclidean costs on ring 1 and on squares; with Euclidean costs on rings 2 and 3 it overestimates (a jump of
     /// two rings can cost 1.73) and routes may be a few percent too long. Weaker than Distance: it expands more cells.
     Cheng,
-    /// Straight distance times p(i), [Wang2017] eq. 5: admissible, and weaker than Euclidean.
+    /// Straight distance times p(i), [Wang2017] eq. 5: admissible, consistent, and weaker than Euclidean.
     Wang,
     TieBreak  ///< Distance; among cells of equal estimate the one nearest to the line from start to goal goes first
 };

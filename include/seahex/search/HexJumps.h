@@ -11,8 +11,8 @@ namespace seahex
 /// Which successors a ring expansion tries.
 enum class JumpSet
 {
-    /// Those that pass no other centre: 6, 12, 24. The others repeat collinear steps, so nothing is lost where cost
-    /// adds up along the line.
+    /// Those that pass no other centre: 6, 12, 24. The others repeat collinear steps, so nothing is lost where jumps
+    /// are safe and cost adds up along the line.
     Primitive,
     /// All 6, 18, 36, as published. Needed where a weight is charged on arrival; turn counts can differ.
     All
