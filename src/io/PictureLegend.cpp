@@ -21,12 +21,12 @@ constexpr double left = 116.0;
 constexpr double right = 1556.0;
 constexpr double scaleBarWidth = 300.0;
 constexpr double legendLeft = 500.0;
-constexpr double entryWidth = 268.0;
+constexpr double entryWidth = 268.0;  // a long text takes the room of two
 constexpr double entryHeight = 34.0;
 constexpr std::size_t entriesAcross = 4;
 constexpr double swatchWidth = 34.0;
-constexpr double textGap = 10.0;           // before and after an entry's text
-constexpr double wideSwatchWidth = 150.0;  // takes the room of two entries
+constexpr double textGap = 10.0;  // before and after an entry's text
+constexpr double wideSwatchWidth = 150.0;
 
 const TextStyle small{14.0, false, false, 0.0, palette::ink};
 
@@ -36,12 +36,11 @@ TextStyle aligned(TextStyle style, double align)
     return style;
 }
 
-// The style, smaller if the text would be wider than the room.
+// The style, made smaller until the text fits the room: hinted letters don't shrink as evenly as their size.
 TextStyle fitted(PictureCanvas &canvas, const std::string &text, TextStyle style, double room)
 {
-    const double width = canvas.textWidth(text, style);
-    if (width > room)
-        style.size *= room / width;
+    for (double width = canvas.textWidth(text, style); width > room; width = canvas.textWidth(text, style))
+        style.size *= std::min(room / width, 0.98);
     return style;
 }
 
@@ -220,20 +219,22 @@ void drawLegend(PictureCanvas &canvas, const PictureContent &content)
 {
     const PictureFrame &frame = canvas.frame();
     drawScaleBars(canvas);
-    const std::vector<Entry> entries = entriesFor(content);
-    for (std::size_t i = 0; i < entries.size(); ++i)
+    std::size_t place = 0;
+    for (const Entry &entry : entriesFor(content))
     {
-        const bool wide = entries[i].swatch > swatchWidth;
-        const std::size_t place = wide && i % entriesAcross == entriesAcross - 1 ? i + 1 : i;
-        const std::size_t column = place % entriesAcross;
-        const std::size_t row = place / entriesAcross;
-        const Point corner{canvas.units(legendLeft + static_cast<double>(column) * entryWidth),
-                           frame.legendTop + canvas.units(18.0 + static_cast<double>(row) * entryHeight)};
-        const Point size{canvas.units(entries[i].swatch), canvas.units(18.0)};
-        entries[i].draw(canvas, {corner, corner + size});
-        const double room = canvas.units((wide ? 2.0 : 1.0) * entryWidth - textGap) - size.x() - canvas.units(textGap);
-        canvas.text({corner.x() + size.x() + canvas.units(textGap), corner.y() + canvas.units(14.0)}, entries[i].text,
-                    fitted(canvas, entries[i].text, small, room));
+        const double beside = canvas.units(entry.swatch + 2.0 * textGap);
+        const double entryRoom = canvas.units(entryWidth);
+        const std::size_t taken = beside + canvas.textWidth(entry.text, small) > entryRoom ? 2 : 1;
+        if (place % entriesAcross + taken > entriesAcross)
+            ++place;
+        const Point corner{canvas.units(legendLeft) + static_cast<double>(place % entriesAcross) * entryRoom,
+                           frame.legendTop +
+                               canvas.units(18.0 + static_cast<double>(place / entriesAcross) * entryHeight)};
+        const Point size{canvas.units(entry.swatch), canvas.units(18.0)};
+        entry.draw(canvas, {corner, corner + size});
+        canvas.text({corner.x() + size.x() + canvas.units(textGap), corner.y() + canvas.units(14.0)}, entry.text,
+                    fitted(canvas, entry.text, small, static_cast<double>(taken) * entryRoom - beside));
+        place += taken;
     }
     if (!content.footer.empty())
         canvas.text({canvas.units(left), frame.heightPx - canvas.units(18.0)}, content.footer,

@@ -135,6 +135,7 @@ TEST_F(Picture, LegendNamesThePathsAsTheCallerDoesAndALongNameKeepsToItsRoom)
     PictureContent content = world.content();
     content.route = {world.at({0, 1}), world.at({11, 1})};
     content.rawPath = {world.at({0, 9}), world.at({11, 9})};
+    content.widthPx = 800;
     const auto drawn = [&](const std::string &route, const std::string &rawPath)
     {
         content.routeName = route;
@@ -142,13 +143,12 @@ TEST_F(Picture, LegendNamesThePathsAsTheCallerDoesAndALongNameKeepsToItsRoom)
         writePicture(path("names.png"), content);
         return Image(path("names.png"));
     };
-    const Image image = drawn("A", "B");
-    const auto columnsThatDiffer = [&](const Image &other)
+    const auto columnsThatDiffer = [&](const Image &one, const Image &other)
     {
         std::vector<int> columns;
-        for (int x = 0; x < image.width(); ++x)
-            for (int y = 0; y < image.height(); ++y)
-                if (image.at(x, y) != other.at(x, y))
+        for (int x = 0; x < one.width(); ++x)
+            for (int y = 0; y < one.height(); ++y)
+                if (one.at(x, y) != other.at(x, y))
                 {
                     EXPECT_GT(y, pictureFrame(content).legendTop) << "names stand in the legend";
                     columns.push_back(x);
@@ -156,13 +156,18 @@ TEST_F(Picture, LegendNamesThePathsAsTheCallerDoesAndALongNameKeepsToItsRoom)
                 }
         return columns;
     };
-    const std::vector<int> longName = columnsThatDiffer(drawn("A" + std::string(90, 'w'), "B"));
-    const std::vector<int> second = columnsThatDiffer(drawn("A", "C"));
-    ASSERT_FALSE(longName.empty());
-    ASSERT_FALSE(second.empty());
-    constexpr int sample = 44;  // left of the second name
-    EXPECT_LT(longName.back(), second.front() - sample);
-    EXPECT_LT(longName.front() + 150, longName.back());
+    constexpr int sample = 22;  // left of a name
+    for (const std::size_t length : {4U, 40U, 90U})
+    {
+        const std::string name(length, 'w');
+        const Image image = drawn(name, "B");
+        const std::vector<int> first = columnsThatDiffer(image, drawn(std::string(length, 'm'), "B"));
+        const std::vector<int> second = columnsThatDiffer(image, drawn(name, "C"));
+        ASSERT_FALSE(first.empty());
+        ASSERT_FALSE(second.empty());
+        EXPECT_LT(first.back(), second.front() - sample) << length;
+        EXPECT_GE(first.back() - first.front(), std::min<int>(100, 3 * static_cast<int>(length)) - 5) << length;
+    }
 }
 
 TEST_F(Picture, SvgHoldsOutlinesForFewCellsAndAnImageForMany)
