@@ -376,23 +376,28 @@ TEST_P(PictureOfEitherLattice, CellsOfThePathAreMarkedAndNoOthers)
         const Lattice lattice = latticeOf({-3000.0, 2000.0}, 20.0, columns, 250);
         PictureContent content{metricFrame(), occupancyOf(lattice, {})};
         content.widthPx = 2000;
+        const Point beyond = Point::Constant(60.0);
+        content.crop = Box{lattice.bounds().min - beyond, lattice.bounds().max + beyond};
         const CellLayout &layout = content.occupancy->layout();
         const std::set<OffsetCoord> marked{{5, 5}, {6, 5}, {7, 6}, {8, 7}, {8, 9}};
         for (const OffsetCoord cell : marked)
             content.pathCells.push_back(layout.index(cell));
         content.pathCells.push_back(layout.index(OffsetCoord{5, 5}));  // once more
         content.pathCells.push_back(layout.index(OffsetCoord{-1, 7}));
-        content.expanded = {layout.index(OffsetCoord{6, 5})};
+        content.expanded = {layout.index(OffsetCoord{6, 5}), layout.index(OffsetCoord{-1, 9})};
         writePicture(path("path.png"), content);
         const Image image(path("path.png"));
         const PictureFrame frame = pictureFrame(content);
         for (std::int64_t row = 3; row < 12; ++row)
-            for (std::int64_t column = 3; column < 12; ++column)
+            for (std::int64_t column = -1; column < 12; ++column)
             {
                 const Point page = frame.toPage(lattice.centre({column, row}));
                 const bool isMarked = marked.count({column, row}) != 0;
                 EXPECT_EQ(bool(isNear(image.around(page, 1), palette::pathCell, 8)), isMarked) << column << " " << row;
             }
+        const Colour outside = blend(palette::water, palette::blocked, palette::blockedOpacity);
+        for (const OffsetCoord cell : {OffsetCoord{-1, 7}, OffsetCoord{-1, 9}})
+            EXPECT_TRUE(isNear(image.around(frame.toPage(lattice.centre(cell)), 1), outside)) << cell.row;
     }
 }
 
