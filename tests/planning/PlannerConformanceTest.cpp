@@ -235,6 +235,7 @@ PlannerUnderTest prmStar()
         {"EveryVertexHangsTogetherWithAStart", "exports all parts of its roadmap"},
         {"PropertiesMayBeReadFromAnotherThread", "forgets its best cost when solve() is called again"},
         {"SlicesOfTimeAddUp", hurry},
+        {"TheBestCostIsTheSolutions", "may end before its second thread has noted what it found"},
         {"WeightsAreCosts", "exports weights of 1"},
         {"WhatIsKnownIsToldInNoTime", hurry},
     };
