@@ -46,6 +46,11 @@ public:
             indices_.push_back(layout_.index(goal.cell));
     }
 
+    const std::vector<GoalCell> &goals() const { return goals_; }
+    /// The index of a goal's cell.
+    CellIndex goalIndex(std::size_t goal) const { return indices_[goal]; }
+    const CellLayout &layout() const { return layout_; }
+
     std::size_t size() const { return layout_.size(); }
 
     double bound(CellIndex index) const

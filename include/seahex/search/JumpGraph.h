@@ -53,6 +53,18 @@ public:
 
     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const { return jumps_.predecessor(cell, jump); }
 
+    /// How many jumps are used.
+    std::size_t jumpCount() const { return count_; }
+    /// One jump by itself, of those that are used.
+    bool isValid(CellIndex cell, std::size_t jump) const
+    {
+        return isValid(cell, jumps_.from(jumps_.parity(cell))[jump], jumps_.touched());
+    }
+    CellIndex successor(CellIndex cell, std::size_t jump) const
+    {
+        return static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps_.from(jumps_.parity(cell))[jump].delta);
+    }
+
 private:
     bool isValid(CellIndex cell, const Jump &jump, const std::int32_t *touched) const
     {
