@@ -1,0 +1,70 @@
+#pragma once
+
+#include <seahex/geometry/HexCoord.h>
+#include <seahex/search/HexJumps.h>
+#include <seahex/world/HexOccupancy.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace seahex
+{
+
+/// A path from centre to centre, by what turns are traded for, and what its search took.
+struct MeasuredPath
+{
+    double lengthCells = 0.0;  ///< as in RouteMetrics
+    int turns = 0;
+    double turnAngleRad = 0.0;
+    double perTurn = 0.0;        ///< the price, in cells, at which it is the cheapest; 0: a plain search
+    std::uint64_t expanded = 0;  ///< cells, or cells with headings
+    double seconds = 0.0;        ///< wall time, memory of the search included
+};
+
+/// One query: ring expansion alone, which hopes for few turns, against searches that know them.
+struct TurnComparison
+{
+    MeasuredPath plain;  ///< the shortest path, as the plain search finds it
+    /// For each allowance the path with the fewest turns among the lattice's paths that are no longer than the shortest
+    /// by more than that, and that some price per turn makes the cheapest.
+    std::vector<MeasuredPath> fewest;
+};
+
+/// Compares on one query.
+///
+/// The paths that a price makes the cheapest are the corners of the lower hull of all paths in the plane of turns and
+/// length. They are found by halving: between two corners, the price at which both cost the same finds a third below
+/// their line, or shows that there is none. A path above the hull may have fewer turns within an allowance; what is
+/// said here is what a search with the right price finds. An allowance of 0 has a tolerance of a millionth.
+///
+/// @param allowances  parts of the shortest length, ascending, such as 0, 0.01 and 0.02
+/// @return empty if there is no path
+std::optional<TurnComparison> compareTurns(const HexOccupancy &occupancy, const HexJumps &jumps, HexCoord start,
+                                           HexCoord goal, const std::vector<double> &allowances);
+
+/// The median, and the quartiles below and above it (linear between neighbours).
+struct Quartiles
+{
+    double lower = 0.0;
+    double median = 0.0;
+    double upper = 0.0;
+};
+
+/// Of at least one value.
+Quartiles quartilesOf(std::vector<double> values);
+
+/// What many comparisons come to, for one way to search.
+struct TurnStatistics
+{
+    Quartiles turns;
+    Quartiles turnAngleDeg;
+    Quartiles excessPercent;  ///< of length over the shortest
+    Quartiles expandedRatio;  ///< to the plain search's
+    Quartiles secondsRatio;
+};
+
+/// The plain search first, then each allowance. @param comparisons  at least one, all with the same allowances
+std::vector<TurnStatistics> statisticsOf(const std::vector<TurnComparison> &comparisons);
+
+}  // namespace seahex
