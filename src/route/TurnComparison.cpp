@@ -3,7 +3,7 @@
 #include "seahex/route/RouteMetrics.h"
 #include "seahex/search/AStar.h"
 #include "seahex/search/HeadingGraph.h"
-#include "seahex/search/HexGraph.h"
+#include "seahex/search/JumpGraph.h"
 #include "seahex/search/TurnWeight.h"
 
 #include <algorithm>
@@ -20,48 +20,69 @@ constexpr double leastPrice = 1e-5;
 
 constexpr double equalLength = 1e-6;
 
+/// The searches of one query.
 class Comparison
 {
 public:
-    Comparison(const HexOccupancy &occupancy, const HexJumps &jumps, HexCoord start, HexCoord goal)
+    Comparison(const Occupancy &occupancy, const Jumps &jumps, OffsetCoord start, OffsetCoord goal)
         : occupancy_(occupancy), jumps_(jumps), start_(start), goal_(goal)
     {
     }
 
     std::optional<MeasuredPath> plain() const
     {
-        using Graph = HexGraph<LengthWeight>;
-        return search<Graph>(
-            [&]
-            {
-                return Graph(occupancy_, jumps_, {{goal_, 0.0}},
-                             LengthWeight(occupancy_.lattice(), jumps_, LengthMetric::Euclidean, Guidance::Distance,
-                                          centre(start_), centre(goal_)));
-            },
-            [](const Graph &, CellIndex cell) { return cell; }, [](const Graph &, CellIndex cell) { return cell; });
+        const Lattice &lattice = occupancy_.lattice();
+        return lattice.hexagons() != nullptr ? plain<HexJumpNorm>(*lattice.hexagons())
+                                             : plain<SquareJumpNorm>(*lattice.squares());
     }
 
+    /// There must be a path.
     MeasuredPath priced(double perTurn) const
     {
-        using Graph = HeadingGraph<HexGraph<TurnWeight>>;
-        MeasuredPath path = *search<Graph>(
-            [&]
-            {
-                return Graph({occupancy_,
-                              jumps_,
-                              {{goal_, 0.0}},
-                              TurnWeight(occupancy_.lattice(), jumps_, LengthMetric::Euclidean, {perTurn, 0.0},
-                                         Guidance::Distance, centre(start_), centre(goal_))},
-                             jumps_.size());
-            },
-            [](const Graph &graph, CellIndex cell) { return graph.beginning(cell); },
-            [](const Graph &graph, CellIndex state) { return graph.cellOf(state); });
+        const Lattice &lattice = occupancy_.lattice();
+        MeasuredPath path = lattice.hexagons() != nullptr ? *priced<HexJumpNorm>(*lattice.hexagons(), perTurn)
+                                                          : *priced<SquareJumpNorm>(*lattice.squares(), perTurn);
         path.perTurn = perTurn;
         return path;
     }
 
 private:
-    Point centre(HexCoord cell) const { return occupancy_.lattice().centre(cell); }
+    template <class Norm>
+    std::optional<MeasuredPath> plain(const typename Norm::KnownLattice &lattice) const
+    {
+        using Graph = JumpGraph<LatticeLengthWeight<Norm>>;
+        return search<Graph>(
+            [&]
+            {
+                return Graph(
+                    occupancy_, jumps_, {{goal_, 0.0}},
+                    {lattice, jumps_, LengthMetric::Euclidean, Guidance::Distance, centre(start_), centre(goal_)});
+            },
+            [](const Graph &, CellIndex cell) { return cell; }, [](const Graph &, CellIndex cell) { return cell; });
+    }
+
+    template <class Norm>
+    std::optional<MeasuredPath> priced(const typename Norm::KnownLattice &lattice, double perTurn) const
+    {
+        using Cells = JumpGraph<LatticeTurnWeight<Norm>>;
+        using Graph = HeadingGraph<Cells>;
+        return search<Graph>(
+            [&]
+            {
+                return Graph(Cells(occupancy_, jumps_, {{goal_, 0.0}},
+                                   {lattice,
+                                    jumps_,
+                                    LengthMetric::Euclidean,
+                                    {perTurn, 0.0},
+                                    Guidance::Distance,
+                                    centre(start_),
+                                    centre(goal_)}));
+            },
+            [](const Graph &graph, CellIndex cell) { return graph.beginning(cell); },
+            [](const Graph &graph, CellIndex state) { return graph.cellOf(state); });
+    }
+
+    Point centre(OffsetCoord cell) const { return occupancy_.lattice().centre(cell); }
 
     template <class Graph, class MakeGraph, class StateOf, class CellOf>
     std::optional<MeasuredPath> search(MakeGraph &&makeGraph, StateOf &&stateOf, CellOf &&cellOf) const
@@ -76,7 +97,7 @@ private:
             return std::nullopt;
         std::vector<Point> points;
         for (const CellIndex state : search.path())
-            points.push_back(centre(occupancy_.layout().cell(cellOf(graph, state))));
+            points.push_back(centre(occupancy_.layout().offset(cellOf(graph, state))));
         const RouteMetrics metrics = measureRoute(Route(points), occupancy_, CountedLegs::All);
         MeasuredPath path;
         path.lengthCells = metrics.lengthCells;
@@ -87,10 +108,10 @@ private:
         return path;
     }
 
-    const HexOccupancy &occupancy_;
-    const HexJumps &jumps_;
-    HexCoord start_;
-    HexCoord goal_;
+    const Occupancy &occupancy_;
+    const Jumps &jumps_;
+    OffsetCoord start_;
+    OffsetCoord goal_;
 };
 
 /// The corner of the hull with the fewest turns that is no longer than `longest`, between two of which the first is
@@ -115,8 +136,8 @@ std::size_t cornerWithin(double longest, std::vector<MeasuredPath> &corners, con
 
 }  // namespace
 
-std::optional<TurnComparison> compareTurns(const HexOccupancy &occupancy, const HexJumps &jumps, HexCoord start,
-                                           HexCoord goal, const std::vector<double> &allowances)
+std::optional<TurnComparison> compareTurns(const Occupancy &occupancy, const Jumps &jumps, OffsetCoord start,
+                                           OffsetCoord goal, const std::vector<double> &allowances)
 {
     const Comparison comparison(occupancy, jumps, start, goal);
     const std::optional<MeasuredPath> plain = comparison.plain();

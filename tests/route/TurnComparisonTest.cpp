@@ -1,6 +1,7 @@
 #include <seahex/route/TurnComparison.h>
 
 #include <seahex/geometry/HexTraversal.h>
+#include <seahex/search/HexJumps.h>
 
 #include "support/AsciiWorld.h"
 #include "support/ExplicitGraph.h"
@@ -101,7 +102,7 @@ TEST(TurnComparison, findsTheCornersOfAllPathsHull)
             if (occupancy->isBlocked(start) || occupancy->isBlocked(goal) || start == goal)
                 return;
             const HexJumps jumps(occupancy->layout(), rings, random.chance(0.5) ? JumpSet::All : JumpSet::Primitive);
-            const auto comparison = compareTurns(*occupancy, jumps, start, goal, allowances);
+            const auto comparison = compareTurns(*occupancy, jumps, toOffset(start), toOffset(goal), allowances);
             const std::vector<double> lengths = shortestByTurns(*occupancy, rings, start, goal, mostTurns);
             if (!comparison)
             {

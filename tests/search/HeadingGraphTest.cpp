@@ -1,5 +1,5 @@
 #include <seahex/search/HeadingGraph.h>
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/TurnWeight.h>
 
 #include "support/AsciiWorld.h"
@@ -16,7 +16,8 @@ using namespace seahex::test;
 namespace
 {
 
-using Graph = HeadingGraph<HexGraph<TurnWeight>>;
+using Cells = JumpGraph<TurnWeight>;
+using Graph = HeadingGraph<Cells>;
 using Move = std::tuple<CellIndex, std::size_t, double>;  // cell, heading, cost
 
 const AsciiWorld world(R"(
@@ -28,12 +29,11 @@ const AsciiWorld world(R"(
 struct Fixture
 {
     HexJumps jumps{world.occupancy().layout(), 3, JumpSet::Primitive};
-    Graph graph{{world.occupancy(),
-                 jumps,
-                 {{world.cell('B'), 0.5}},
-                 TurnWeight(world.lattice(), jumps, LengthMetric::Euclidean, {2.0, 1.0}, Guidance::Distance,
-                            world.centre('A'), world.centre('B'))},
-                jumps.size()};
+    Graph graph{Cells{world.occupancy(),
+                      jumps,
+                      {{world.cell('B'), 0.5}},
+                      TurnWeight(world.lattice(), jumps, LengthMetric::Euclidean, {2.0, 1.0}, Guidance::Distance,
+                                 world.centre('A'), world.centre('B'))}};
     CellIndex a = world.occupancy().layout().index(world.cell('A'));
     CellIndex b = world.occupancy().layout().index(world.cell('B'));
 
@@ -119,11 +119,10 @@ TEST(HeadingGraph, statesHave32BitNumbersOrThereIsNoGraph)
     EXPECT_FALSE(Graph::fits(layout.size(), 24));
     const auto occupancy = occupancyWith(wide, {});
     const HexJumps jumps(layout, 3, JumpSet::Primitive);
-    EXPECT_THROW(
-        Graph({*occupancy,
-               jumps,
-               {},
-               TurnWeight(wide, jumps, LengthMetric::Euclidean, {}, Guidance::None, Point::Zero(), Point::Zero())},
-              jumps.size()),
-        std::length_error);
+    EXPECT_THROW(Graph(Cells{*occupancy,
+                             jumps,
+                             {},
+                             TurnWeight(wide, jumps, LengthMetric::Euclidean, {}, Guidance::None, Point::Zero(),
+                                        Point::Zero())}),
+                 std::length_error);
 }

@@ -3,7 +3,7 @@
 #include <seahex/route/RouteMetrics.h>
 #include <seahex/search/AStar.h>
 #include <seahex/search/HeadingGraph.h>
-#include <seahex/search/HexGraph.h>
+#include <seahex/search/JumpGraph.h>
 #include <seahex/search/TurnWeight.h>
 
 #include "support/AsciiWorld.h"
@@ -61,6 +61,7 @@ struct Problem
 
     bool complete() const { return !starts.empty() && !goals.empty(); }
     const HexLattice &lattice() const { return occupancy->lattice(); }
+    Point centre(const GoalCell &terminal) const { return lattice().centre(toCube(terminal.cell)); }
 };
 
 struct Method
@@ -109,15 +110,14 @@ Method randomMethod(Random &random)
 class Search
 {
 public:
-    using Graph = HeadingGraph<HexGraph<TurnWeight>>;
+    using Cells = JumpGraph<TurnWeight>;
+    using Graph = HeadingGraph<Cells>;
 
     Search(const Problem &problem, const Method &method)
         : problem_(problem), jumps_(problem.occupancy->layout(), method.rings, method.set),
-          graph_({*problem.occupancy, jumps_, problem.goals,
-                  TurnWeight(problem.lattice(), jumps_, method.metric, method.turns, method.guidance,
-                             problem.lattice().centre(problem.starts.front().cell),
-                             problem.lattice().centre(problem.goals.front().cell))},
-                 jumps_.size()),
+          graph_(Cells(*problem.occupancy, jumps_, problem.goals,
+                       TurnWeight(problem.lattice(), jumps_, method.metric, method.turns, method.guidance,
+                                  problem.centre(problem.starts.front()), problem.centre(problem.goals.front())))),
           search_(graph_)
     {
         addStarts();
@@ -162,7 +162,7 @@ public:
         {
             double least = infinity;
             for (const GoalCell &t : terminals)
-                least = t.cell == cell ? std::min(least, t.finish) : least;
+                least = toCube(t.cell) == cell ? std::min(least, t.finish) : least;
             return least;
         };
         const RouteMetrics m = metrics();
@@ -206,11 +206,11 @@ public:
     {
         std::vector<ExplicitGraph::Terminal> starts;
         for (const GoalCell &start : problem.starts)
-            starts.emplace_back(vertex(start.cell, steps_.size()), start.finish);
+            starts.emplace_back(vertex(toCube(start.cell), steps_.size()), start.finish);
         std::vector<ExplicitGraph::Terminal> goals;
         for (const GoalCell &goal : problem.goals)
             for (std::size_t k = 0; k <= steps_.size(); ++k)
-                goals.emplace_back(vertex(goal.cell, k), goal.finish);
+                goals.emplace_back(vertex(toCube(goal.cell), k), goal.finish);
         return graph_->cheapest(starts, goals);
     }
 
@@ -299,11 +299,11 @@ TEST(TurnSearch, freeTurnsAreAPlainSearch)
                     if (!problem.complete())
                         return;
                     const HexJumps jumps(problem.occupancy->layout(), method.rings, method.set);
-                    HexGraph<LengthWeight> graph(*problem.occupancy, jumps, problem.goals,
-                                                 LengthWeight(problem.lattice(), jumps, method.metric, method.guidance,
-                                                              problem.lattice().centre(problem.starts.front().cell),
-                                                              problem.lattice().centre(problem.goals.front().cell)));
-                    AStar<HexGraph<LengthWeight>> plain(graph);
+                    JumpGraph<LengthWeight> graph(*problem.occupancy, jumps, problem.goals,
+                                                  LengthWeight(problem.lattice(), jumps, method.metric, method.guidance,
+                                                               problem.centre(problem.starts.front()),
+                                                               problem.centre(problem.goals.front())));
+                    AStar<JumpGraph<LengthWeight>> plain(graph);
                     for (const GoalCell &start : problem.starts)
                         plain.addStart(problem.occupancy->layout().index(start.cell), start.finish);
                     const SearchStatus status = plain.run(never, 1000);

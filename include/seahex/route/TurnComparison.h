@@ -1,8 +1,8 @@
 #pragma once
 
-#include <seahex/geometry/HexCoord.h>
-#include <seahex/search/HexJumps.h>
-#include <seahex/world/HexOccupancy.h>
+#include <seahex/geometry/OffsetCoord.h>
+#include <seahex/search/Jumps.h>
+#include <seahex/world/Occupancy.h>
 
 #include <cstdint>
 #include <optional>
@@ -38,10 +38,11 @@ struct TurnComparison
 /// their line, or shows that there is none. A path above the hull may have fewer turns within an allowance; what is
 /// said here is what a search with the right price finds. An allowance of 0 has a tolerance of a millionth.
 ///
+/// @param jumps  of the occupancy's lattice and layout
 /// @param allowances  parts of the shortest length, ascending, such as 0, 0.01 and 0.02
 /// @return empty if there is no path
-std::optional<TurnComparison> compareTurns(const HexOccupancy &occupancy, const HexJumps &jumps, HexCoord start,
-                                           HexCoord goal, const std::vector<double> &allowances);
+std::optional<TurnComparison> compareTurns(const Occupancy &occupancy, const Jumps &jumps, OffsetCoord start,
+                                           OffsetCoord goal, const std::vector<double> &allowances);
 
 /// The median, and the quartiles below and above it (linear between neighbours).
 struct Quartiles

@@ -26,7 +26,7 @@ namespace seahex
 /// come there, and a turn that leads nowhere is never expanded. It is the same as paying turn and jump together, as
 /// long as no turn is cheaper in two parts: turn costs must obey the triangle inequality.
 ///
-/// `Graph` is a graph of cells (HexGraph) whose weight says what moves cost (see TurnWeight):
+/// `Graph` is a graph of cells (JumpGraph) whose weight says what moves cost (see TurnWeight):
 ///
 ///     double departure(CellIndex cell, std::size_t heading) const    a path begins
 ///     double turn(std::size_t from, std::size_t to) const
@@ -40,14 +40,14 @@ template <class Graph>
 class HeadingGraph
 {
 public:
-    /// @param jumps  how many the graph has at most
+    /// @param graph  with all its jumps in use
     /// @throws std::length_error unless fits()
-    HeadingGraph(Graph graph, std::size_t jumps)
-        : graph_(std::move(graph)), none_(static_cast<CellIndex>(jumps)), ways_(static_cast<CellIndex>(jumps + 1))
+    explicit HeadingGraph(Graph graph)
+        : graph_(std::move(graph)), none_(static_cast<CellIndex>(graph_.jumpCount())), ways_(none_ + 1)
     {
-        if (!fits(graph_.size(), jumps))
+        if (!fits(graph_.size(), none_))
             throw std::length_error("too many cells for a search that knows headings: " +
-                                    std::to_string(graph_.size()) + " with " + std::to_string(jumps) + " jumps each");
+                                    std::to_string(graph_.size()) + " with " + std::to_string(none_) + " jumps each");
     }
 
     /// Do the states of so many cells have 32-bit numbers?
@@ -153,7 +153,7 @@ private:
         looksAt_ = cell;
         approaches_.clear();
         for (const auto &goal : graph_.goals())
-            approaches_.push_back(graph_.approach(graph_.layout().cell(cell), goal));
+            approaches_.push_back(graph_.approach(graph_.layout().offset(cell), goal));
     }
 
     Graph graph_;

@@ -60,10 +60,7 @@ public:
     {
         return isValid(cell, jumps_.from(jumps_.parity(cell))[jump], jumps_.touched());
     }
-    CellIndex successor(CellIndex cell, std::size_t jump) const
-    {
-        return static_cast<CellIndex>(static_cast<std::int64_t>(cell) + jumps_.from(jumps_.parity(cell))[jump].delta);
-    }
+    CellIndex successor(CellIndex cell, std::size_t jump) const { return jumps_.successor(cell, jump); }
 
 private:
     bool isValid(CellIndex cell, const Jump &jump, const std::int32_t *touched) const
