@@ -110,7 +110,7 @@ public:
                     parts_->layout.offset(cell), centre(cell), 0.0, std::nullopt, nullptr, false, isExpanded};
                 if (arrivedBy == AStar<Graph>::noJump)
                 {
-                    const Joint &joint = parts_->best(parts_->starts, vertex.cell);
+                    const Joint &joint = parts_->best(parts_->starts, vertex.name.cell);
                     vertex.start = joint.state;
                     vertex.isStart = parts_->coincide(joint.state, joint.cell);
                     vertex.heading = parts_->jointHeading(joint.state, joint.cell, true);

@@ -1,12 +1,14 @@
 #include "planning/LatticeQuery.h"
 
 #include "planning/GraphQuery.h"
+#include "planning/HeadingQuery.h"
 #include "planning/MotionGraph.h"
 #include "planning/ObjectiveWeight.h"
 #include "seahex/search/JumpGraph.h"
 #include "seahex/search/LengthWeight.h"
 #include "seahex/search/SafetyLengthWeight.h"
 
+#include <new>
 #include <utility>
 
 namespace seahex
@@ -52,6 +54,20 @@ std::unique_ptr<LatticeQuery> makeTabledQuery(std::unique_ptr<QueryParts> parts,
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
 {
     auto parts = std::make_unique<QueryParts>(question);
+    if (parts->courses)
+        try
+        {
+            if (question.lattice.hexagons() != nullptr)
+                return std::make_unique<HeadingQuery<HexJumpNorm>>(std::move(parts), *question.lattice.hexagons());
+            return std::make_unique<HeadingQuery<SquareJumpNorm>>(std::move(parts), *question.lattice.squares());
+        }
+        catch (const std::bad_alloc &)
+        {
+            // a good path is better than none
+            LatticeQuestion modest = question;
+            modest.knowsHeadings = false;
+            return makeLatticeQuery(modest);
+        }
     if (parts->isTabled() && question.lattice.hexagons() != nullptr)
         return makeTabledQuery<HexJumpNorm>(std::move(parts), *question.lattice.hexagons());
     if (parts->isTabled())

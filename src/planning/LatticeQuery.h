@@ -41,26 +41,39 @@ struct LatticeQuestion
     std::vector<CellIndex> *trace = nullptr;  ///< if given, collects the expanded cells of the search, in order
     ProgressBoard *board = nullptr;           ///< if given, told about the search while it runs
     bool tellsBound = false;                  ///< tell the board the lower bound of the search with all rings
+    /// Where turns are charged, tell apart with which heading a cell is reached, if the memory lasts.
+    bool knowsHeadings = true;
 };
 
-/// A cell that a search reached.
+/// By what a vertex of a search is known.
+struct VertexName
+{
+    VertexName(OffsetCoord where, std::size_t heading = 0) : cell(where), way(heading) {}
+
+    OffsetCoord cell;
+    std::size_t way;  ///< where a search tells headings apart: the jump that led there; 0 elsewhere
+
+    friend bool operator==(const VertexName &a, const VertexName &b) { return a.cell == b.cell && a.way == b.way; }
+};
+
+/// A cell that a search reached, or a cell with a heading.
 struct TreeVertex
 {
-    OffsetCoord cell;
+    VertexName name;
     Point position;
     double heading;
-    std::optional<OffsetCoord> parent;  ///< empty where a start joins the lattice
-    const ompl::base::State *start;     ///< that start, or nullptr
-    bool isStart;                       ///< the start is this very vertex
+    std::optional<VertexName> parent;  ///< empty where a start joins the lattice
+    const ompl::base::State *start;    ///< that start, or nullptr
+    bool isStart;                      ///< the start is this very vertex
     bool isExpanded;
 };
 
 /// A goal whose cell a search reached.
 struct GoalVertex
 {
-    OffsetCoord cell;
+    VertexName from;
     const ompl::base::State *goal;
-    bool isCentre;  ///< the goal is the cell's very vertex
+    bool isCentre;  ///< the goal is that very vertex
 };
 
 /// One search in progress, whatever graph and weight it runs on.

@@ -3,6 +3,7 @@
 #include "seahex/geometry/LatticeNorm.h"
 #include "seahex/planning/LatticeLengthObjective.h"
 #include "seahex/planning/SafetyWeightObjective.h"
+#include "seahex/search/HeadingGraph.h"
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 
@@ -14,6 +15,17 @@ namespace seahex
 {
 namespace
 {
+
+std::optional<CourseCosts> readableCourses(const LatticeQuestion &question)
+{
+    constexpr std::size_t mostJumps = 36;
+    const bool isRead = question.occupancy && question.direct && question.knowsHeadings;
+    if (!isRead || !headingsFit(question.occupancy->layout().size(), mostJumps))
+        return std::nullopt;
+    const std::optional<CourseCosts> costs = courseCosts(*question.objective);
+    const bool areTurnsFree = costs && costs->turns.perTurn == 0.0 && costs->turns.perRadian == 0.0;
+    return areTurnsFree ? std::nullopt : costs;
+}
 
 bool hasCellsOf(const Lattice &a, const Lattice &b)
 {
@@ -44,9 +56,10 @@ const SafetyWeights *safetyWeights(const LatticeQuestion &question)
 }  // namespace
 
 QueryParts::QueryParts(const LatticeQuestion &q)
-    : question(q), embedding(q.si->getStateSpace().get()), metric(lengthMetric(q)), safety(safetyWeights(q)),
+    : question(q), embedding(q.si->getStateSpace().get()), courses(readableCourses(q)),
+      metric(courses ? std::nullopt : lengthMetric(q)), safety(safetyWeights(q)),
       layout(q.occupancy ? q.occupancy->layout() : CellLayout(q.lattice.columns(), q.lattice.rows())),
-      jumpTable(makeJumps(q.lattice, layout, q.jumps, metric.has_value())), jumps(*jumpTable), scratch_(q.si)
+      jumpTable(makeJumps(q.lattice, layout, q.jumps, metric || courses)), jumps(*jumpTable), scratch_(q.si)
 {
     if (!q.occupancy || !q.direct)
         cache = std::make_unique<MotionCache>(q.si, embedding, q.lattice, layout, jumps, q.jumps.rule,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planning/CourseCosts.h"
 #include "planning/Courses.h"
 #include "planning/LatticeQuery.h"
 #include "planning/MotionCache.h"
@@ -66,6 +67,8 @@ public:
 
     const LatticeQuestion question;
     const PlanarEmbedding embedding;
+    /// Of an objective that charges turns, where the search can tell headings apart: in SE(2) on a chart that is read.
+    const std::optional<CourseCosts> courses;
     const std::optional<LengthMetric> metric;  ///< of an objective that is a length, so that it need not be called
     /// Of an objective that charges them on arrival in this very lattice; elsewhere nullptr.
     const SafetyWeights *const safety;

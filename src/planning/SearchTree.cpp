@@ -3,6 +3,8 @@
 #include "seahex/planning/LatticeAStar.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -13,18 +15,20 @@ namespace seahex
 namespace
 {
 
-/// A number for each cell; a lattice has fewer than 2^32 of them.
-std::uint64_t keyOf(OffsetCoord cell)
-{
-    return (static_cast<std::uint64_t>(cell.row) << 32) ^ (static_cast<std::uint64_t>(cell.column) & 0xffffffffU);
-}
-
 ob::PlannerDataVertex tagged(const ob::State *state, PlannerDataTag tag)
 {
     return {state, static_cast<int>(tag)};
 }
 
 }  // namespace
+
+std::size_t SearchTree::Hash::operator()(const VertexName &name) const
+{
+    // a lattice has fewer than 2^32 cells, and a cell fewer than 256 headings
+    const auto row = static_cast<std::uint64_t>(name.cell.row);
+    const auto column = static_cast<std::uint64_t>(name.cell.column) & 0xffffffffU;
+    return std::hash<std::uint64_t>()((row << 32) ^ (column << 8) ^ name.way);
+}
 
 SearchTree::SearchTree(ob::SpaceInformationPtr si) : si_(std::move(si)), embedding_(si_->getStateSpace().get()) {}
 
@@ -37,27 +41,37 @@ void SearchTree::clear()
     paths_.clear();
 }
 
-const ob::State *SearchTree::find(OffsetCoord cell) const
+const ob::State *SearchTree::find(const VertexName &name) const
 {
-    const auto end = ends_.find(keyOf(cell));
+    const auto end = ends_.find(name);
     if (end != ends_.end())
         return end->second;
-    const auto state = states_.find(keyOf(cell));
+    const auto state = states_.find(name);
     return state == states_.end() ? nullptr : state->second;
+}
+
+const ob::State *SearchTree::findEqual(OffsetCoord cell, const ob::State *state) const
+{
+    for (std::size_t way = 0; way < ways_; ++way)
+        if (const ob::State *known = find({cell, way}))
+            if (si_->getStateSpace()->equalStates(known, state))
+                return known;
+    return nullptr;
 }
 
 const ob::State *SearchTree::stateOf(const TreeVertex &vertex)
 {
+    ways_ = std::max(ways_, vertex.name.way + 1);
     if (vertex.isStart)
-        ends_[keyOf(vertex.cell)] = vertex.start;
-    else if (ends_.count(keyOf(vertex.cell)) == 0)
+        ends_[vertex.name] = vertex.start;
+    else if (ends_.count(vertex.name) == 0)
     {
-        ob::State *&state = states_[keyOf(vertex.cell)];
+        ob::State *&state = states_[vertex.name];
         if (state == nullptr)
             state = si_->allocState();
         embedding_.place(state, vertex.position, vertex.heading);
     }
-    return find(vertex.cell);
+    return find(vertex.name);
 }
 
 void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjective &objective, ob::PlannerData &data)
@@ -67,7 +81,7 @@ void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjectiv
         {
             data.addGoalVertex(tagged(vertex.goal, PlannerDataTag::Waiting));
             if (vertex.isCentre)
-                ends_[keyOf(vertex.cell)] = vertex.goal;
+                ends_[vertex.from] = vertex.goal;
         });
     // Parents may come later than their children in the order of cells, so all vertices first.
     query.forEachVertex(
@@ -87,8 +101,8 @@ void SearchTree::write(const LatticeQuery &query, const ob::OptimizationObjectiv
                          ob::PlannerDataEdge(), objective.motionCost(from, to));
     };
     query.forEachVertex([&](const TreeVertex &vertex)
-                        { join(vertex.parent ? find(*vertex.parent) : vertex.start, find(vertex.cell)); });
-    query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.cell), vertex.goal); });
+                        { join(vertex.parent ? find(*vertex.parent) : vertex.start, find(vertex.name)); });
+    query.forEachReachedGoal([&](const GoalVertex &vertex) { join(find(vertex.from), vertex.goal); });
 }
 
 void SearchTree::write(const std::shared_ptr<og::PathGeometric> &path, const EndStates &ends, const Lattice &lattice,
@@ -110,8 +124,8 @@ void SearchTree::write(const std::shared_ptr<og::PathGeometric> &path, const End
             return equalOf(ends.starts(), state);
         if (i + 1 == path->getStateCount())
             return equalOf(ends.goals(), state);
-        const ob::State *centre = find(lattice.cellAt(embedding_.position(state)));
-        return centre != nullptr && space.equalStates(centre, state) ? centre : state;
+        const ob::State *centre = findEqual(lattice.cellAt(embedding_.position(state)), state);
+        return centre != nullptr ? centre : state;
     };
     const ob::State *before = nullptr;
     for (std::size_t i = 0; i < path->getStateCount(); ++i)

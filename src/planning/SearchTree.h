@@ -14,8 +14,9 @@
 namespace seahex
 {
 
-/// What a lattice planner found out, as PlannerData: a vertex for every cell that was reached, an edge for every jump
-/// of the search tree, the joints of starts and goals, and the path.
+/// What a lattice planner found out, as PlannerData: a vertex for every cell that was reached (for every heading with
+/// which it was, where the search tells them apart), an edge for every jump of the search tree, the joints of starts
+/// and goals, and the path.
 ///
 /// PlannerData knows vertices by the address of their state, so the states live here and stay where they are until
 /// clear(). Memory: a state and about 100 bytes a cell.
@@ -40,15 +41,21 @@ public:
     void clear();
 
 private:
+    struct Hash
+    {
+        std::size_t operator()(const VertexName &name) const;
+    };
+
     ompl::base::SpaceInformationPtr si_;
     PlanarEmbedding embedding_;
     const ompl::base::State *stateOf(const TreeVertex &vertex);
-    const ompl::base::State *find(OffsetCoord cell) const;
+    const ompl::base::State *find(const VertexName &name) const;
+    const ompl::base::State *findEqual(OffsetCoord cell, const ompl::base::State *state) const;
 
     std::vector<std::shared_ptr<ompl::geometric::PathGeometric>> paths_;
-    // by cell, see keyOf()
-    std::unordered_map<std::uint64_t, ompl::base::State *> states_;
-    std::unordered_map<std::uint64_t, const ompl::base::State *> ends_;  // starts and goals that are centres
+    std::unordered_map<VertexName, ompl::base::State *, Hash> states_;
+    std::unordered_map<VertexName, const ompl::base::State *, Hash> ends_;  // starts and goals that are centres
+    std::size_t ways_ = 1;                                                  // of the vertices of a cell
 };
 
 }  // namespace seahex

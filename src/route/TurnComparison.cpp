@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace seahex
 {
@@ -157,47 +156,6 @@ std::optional<TurnComparison> compareTurns(const Occupancy &occupancy, const Jum
         result.fewest.push_back(corners[cornerWithin(longest, corners, comparison)]);
     }
     return result;
-}
-
-Quartiles quartilesOf(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const auto at = [&values](double part)
-    {
-        const double place = part * static_cast<double>(values.size() - 1);
-        const auto below = static_cast<std::size_t>(place);
-        const std::size_t above = std::min(below + 1, values.size() - 1);
-        return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-    };
-    return {at(0.25), at(0.5), at(0.75)};
-}
-
-std::vector<TurnStatistics> statisticsOf(const std::vector<TurnComparison> &comparisons)
-{
-    std::vector<TurnStatistics> rows;
-    for (std::size_t row = 0; row <= comparisons.front().fewest.size(); ++row)
-    {
-        const auto quartiles = [&](auto &&value)
-        {
-            std::vector<double> values;
-            for (const TurnComparison &c : comparisons)
-                values.push_back(value(row == 0 ? c.plain : c.fewest[row - 1], c.plain));
-            return quartilesOf(std::move(values));
-        };
-        using Path = const MeasuredPath &;
-        TurnStatistics statistics;
-        statistics.turns = quartiles([](Path path, Path) { return static_cast<double>(path.turns); });
-        statistics.turnAngleDeg =
-            quartiles([](Path path, Path) { return path.turnAngleRad * 180.0 / 3.14159265358979323846; });
-        statistics.excessPercent =
-            quartiles([](Path path, Path plain) { return 100.0 * (path.lengthCells / plain.lengthCells - 1.0); });
-        statistics.expandedRatio =
-            quartiles([](Path path, Path plain)
-                      { return static_cast<double>(path.expanded) / static_cast<double>(plain.expanded); });
-        statistics.secondsRatio = quartiles([](Path path, Path plain) { return path.seconds / plain.seconds; });
-        rows.push_back(statistics);
-    }
-    return rows;
 }
 
 }  // namespace seahex

@@ -74,6 +74,14 @@ SpaceKind randomKind(Random &random)
     return static_cast<SpaceKind>(random.integer(0, 2));
 }
 
+/// Is it a problem in SE(2) whose objective charges for turns, as OMPL's path length does there?
+bool knowsHeadings(const RandomBay &bay)
+{
+    const ob::OptimizationObjective &objective = *bay.problem->getOptimizationObjective();
+    return bay.si->getStateSpace()->getType() == ob::STATE_SPACE_SE2 &&
+           typeid(objective) == typeid(ob::PathLengthOptimizationObjective);
+}
+
 /// Planner with both ways to improve on.
 std::shared_ptr<HexAStar> anytimePlanner(const ob::ProblemDefinitionPtr &problem)
 {
@@ -135,10 +143,16 @@ TEST(HexAStarAnytime, ReadingTheOccupancyOrAskingGivesTheSameAnswer)
                     const Answer asked = answerOf(*asking, bay.problem);
                     EXPECT_EQ(read.status, static_cast<ob::PlannerStatus::StatusType>(asked.status));
                     EXPECT_EQ(reading->outcome(), asking->outcome());
+                    found += read.points.empty() ? 0 : 1;
+                    if (knowsHeadings(bay))
+                    {
+                        // who reads tells headings apart, and finds paths that turn less
+                        EXPECT_TRUE(smoothing || read.points.empty() || read.cost <= asked.cost + 1e-9);
+                        return;
+                    }
                     EXPECT_EQ(read.cost, asked.cost);
                     EXPECT_EQ(read.points, asked.points);
                     EXPECT_EQ(reading->trace(), asking->trace());
-                    found += read.points.empty() ? 0 : 1;
                 });
     EXPECT_GT(found, 100);
 }

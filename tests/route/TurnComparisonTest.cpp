@@ -2,6 +2,8 @@
 
 #include <seahex/geometry/HexTraversal.h>
 #include <seahex/search/HexJumps.h>
+#include <seahex/search/SquareJumps.h>
+#include <seahex/world/CellBits.h>
 
 #include "support/AsciiWorld.h"
 #include "support/ExplicitGraph.h"
@@ -130,30 +132,19 @@ TEST(TurnComparison, findsTheCornersOfAllPathsHull)
     EXPECT_GE(saved, 100);
 }
 
-TEST(TurnComparison, quartilesBetweenNeighbours)
+TEST(TurnComparison, onSquaresToo)
 {
-    const Quartiles odd = quartilesOf({5.0, 1.0, 2.0, 4.0, 3.0});
-    EXPECT_EQ(odd.lower, 2.0);
-    EXPECT_EQ(odd.median, 3.0);
-    EXPECT_EQ(odd.upper, 4.0);
-    const Quartiles even = quartilesOf({1.0, 2.0});
-    EXPECT_EQ(even.lower, 1.25);
-    EXPECT_EQ(even.median, 1.5);
-    EXPECT_EQ(even.upper, 1.75);
-    EXPECT_EQ(quartilesOf({7.0}).lower, 7.0);
-}
-
-TEST(TurnComparison, statisticsBySearch)
-{
-    TurnComparison one;
-    one.plain = {10.0, 8, 2.0, 0.0, 100, 0.5};
-    one.fewest = {{10.0, 4, 1.0, 0.1, 300, 1.0}, {11.0, 2, 0.5, 1.0, 500, 2.0}};
-    const std::vector<TurnStatistics> rows = statisticsOf({one});
-    ASSERT_EQ(rows.size(), 3u);
-    EXPECT_EQ(rows[0].turns.median, 8.0);
-    EXPECT_EQ(rows[2].turns.upper, 2.0);
-    EXPECT_NEAR(rows[1].turnAngleDeg.median, 57.29577951308232, 1e-9);
-    EXPECT_NEAR(rows[2].excessPercent.median, 10.0, 1e-9);
-    EXPECT_EQ(rows[1].expandedRatio.median, 3.0);
-    EXPECT_EQ(rows[2].secondsRatio.median, 4.0);
+    const SquareLattice lattice(Point(0, 0), 1.0, 9, 9);
+    const CellLayout layout(9, 9);
+    CellBits bits(layout);
+    bits.setOutside();
+    bits.setSpan(4, 2, 6);  // a wall across the straight way
+    const SquareOccupancy occupancy(lattice, layout, bits.words());
+    const SquareJumps jumps(layout, 4);
+    const auto comparison = compareTurns(occupancy, jumps, {3, 0}, {3, 8}, {0.0, 0.5});
+    ASSERT_TRUE(comparison);
+    EXPECT_EQ(comparison->plain.lengthCells, 12.0);
+    EXPECT_EQ(comparison->fewest[0].lengthCells, 12.0);
+    EXPECT_EQ(comparison->fewest[0].turns, 2) << "west, south, east";
+    EXPECT_GT(comparison->fewest[0].expanded, 0u);
 }

@@ -112,11 +112,11 @@ TEST(HeadingGraph, aPathEndsWithAnyHeading)
 
 TEST(HeadingGraph, statesHave32BitNumbersOrThereIsNoGraph)
 {
-    EXPECT_TRUE(Graph::fits(116'000'000, 36));
-    EXPECT_FALSE(Graph::fits(117'000'000, 36));
+    EXPECT_TRUE(headingsFit(116'000'000, 36));
+    EXPECT_FALSE(headingsFit(117'000'000, 36));
     const HexLattice wide(Point::Zero(), 1.0, 20'000'000, 6);
     const CellLayout layout(wide.columns(), wide.rows());
-    EXPECT_FALSE(Graph::fits(layout.size(), 24));
+    EXPECT_FALSE(headingsFit(layout.size(), 24));
     const auto occupancy = occupancyWith(wide, {});
     const HexJumps jumps(layout, 3, JumpSet::Primitive);
     EXPECT_THROW(Graph(Cells{*occupancy,

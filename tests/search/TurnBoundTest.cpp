@@ -3,7 +3,7 @@
 #include <seahex/geometry/HexNorm.h>
 #include <seahex/search/HexJumps.h>
 
-#include "support/Random.h"
+#include "search/RandomTurnCosts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,12 +93,6 @@ struct Rings
         return best;
     }
 };
-
-TurnCosts randomTurnCosts(Random &random)
-{
-    const double perTurn = random.chance(0.3) ? 0.0 : random.real(0.0, 5.0);
-    return {perTurn, random.chance(0.3) ? 0.0 : random.real(0.0, 5.0)};
-}
 
 HexCoord randomDifference(Random &random)
 {

@@ -6,6 +6,7 @@
 #include <seahex/search/JumpGraph.h>
 #include <seahex/search/TurnWeight.h>
 
+#include "search/RandomTurnCosts.h"
 #include "support/AsciiWorld.h"
 #include "support/ExplicitGraph.h"
 #include "support/Random.h"
@@ -80,19 +81,6 @@ struct Method
                (set == JumpSet::All ? ", all jumps" : ", primitive jumps");
     }
 };
-
-/// Costs at random, nothing for turns or for radians among them.
-TurnCosts randomTurnCosts(Random &random)
-{
-    const auto cost = [&random]
-    {
-        return random.chance(0.3)   ? 0.0
-               : random.chance(0.3) ? static_cast<double>(random.integer(1, 5))
-                                    : random.real(0.0, 4.0);
-    };
-    const double perTurn = cost();
-    return {perTurn, cost()};
-}
 
 Method randomMethod(Random &random)
 {

@@ -75,9 +75,16 @@ struct Improvement
 ///
 /// **Objectives.** Any of OMPL's will do: costs, their sum and their order are the objective's; for path length and
 /// LatticeLengthObjective, which add up along a line, they are known beforehand and the bound is exact; so they are for
-/// the SafetyWeightObjective on arrival of the lattice searched. In SE(2) a
-/// cell keeps one way to reach it, the cheapest; where the next leg's cost depends on it (turns), the path found is
-/// good but need not be the lattice's best.
+/// the SafetyWeightObjective on arrival of the lattice searched.
+///
+/// **Turns.** In SE(2) a leg costs what depends on the yaw that the leg before it left. On a chart that is read, for
+/// path length (which charges for yaw there), TurnCountObjective, TurnAngleObjective and their sums
+/// (WeightedSumObjective, OMPL's MultiOptimizationObjective; weights not negative, no derived classes), the search
+/// tells apart with which heading a cell is reached. Its path is then the lattice's best for the objective as it is,
+/// the first and last leg and the yaws of start and goal included. It takes some 5 times the time of a plain search
+/// with one ring and 10 times with three, and 225 bytes a cell touched instead of 9. In all other problems (more than
+/// 116 million cells, or memory that does not last, among them) a cell keeps one way to reach it, the cheapest: where
+/// costs depend on yaws the path found is good but need not be the lattice's best.
 ///
 /// **Problem.** All starts and goals take part, and the best pair wins; a goal region with no end of samples, and no
 /// GoalStates, is represented by its first 100. A goal state that is invalid is told at once; other regions are waited
@@ -94,7 +101,8 @@ struct Improvement
 ///
 /// **Progress properties**, safe to read from any thread at any time: "best cost REAL", "lower bound REAL" (no path
 /// that this planner may yet return is cheaper: the search's own bound where smoothing is off, the objective's
-/// heuristic otherwise), "expanded INTEGER" (cells, by all searches since clear()), "open INTEGER".
+/// heuristic otherwise), "expanded INTEGER" (cells, or cells with headings, by all
+/// searches since clear()), "open INTEGER".
 class LatticeAStar : public ompl::base::Planner
 {
 public:
@@ -133,7 +141,8 @@ public:
     std::string getJumps() const { return toString(jumpRule_); }
 
     /// Read the occupancy behind a chart's checker, or ask the checker and motion validator as for any other problem:
-    /// slower, with up to 37 bytes a cell to keep the answers, and the same result. On by default.
+    /// slower, with up to 37 bytes a cell to keep the answers, and the same result, but where turns are charged (see
+    /// Turns). On by default.
     void setDirect(bool direct);
     bool getDirect() const { return direct_; }
 
@@ -157,7 +166,8 @@ public:
 
     /// Record the expanded cells (off by default).
     void setTracing(bool tracing);
-    /// The cells of the search that counters() is about, in the order of expansion, if tracing is on.
+    /// The cells of the search that counters() is about, in the order of expansion, if tracing is on; where it tells
+    /// headings apart, a cell once for each with which it was expanded.
     const std::vector<OffsetCoord> &trace() const { return trace_; }
 
 protected:

@@ -44,28 +44,4 @@ struct TurnComparison
 std::optional<TurnComparison> compareTurns(const Occupancy &occupancy, const Jumps &jumps, OffsetCoord start,
                                            OffsetCoord goal, const std::vector<double> &allowances);
 
-/// The median, and the quartiles below and above it (linear between neighbours).
-struct Quartiles
-{
-    double lower = 0.0;
-    double median = 0.0;
-    double upper = 0.0;
-};
-
-/// Of at least one value.
-Quartiles quartilesOf(std::vector<double> values);
-
-/// What many comparisons come to, for one way to search.
-struct TurnStatistics
-{
-    Quartiles turns;
-    Quartiles turnAngleDeg;
-    Quartiles excessPercent;  ///< of length over the shortest
-    Quartiles expandedRatio;  ///< to the plain search's
-    Quartiles secondsRatio;
-};
-
-/// The plain search first, then each allowance. @param comparisons  at least one, all with the same allowances
-std::vector<TurnStatistics> statisticsOf(const std::vector<TurnComparison> &comparisons);
-
 }  // namespace seahex

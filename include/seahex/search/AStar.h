@@ -120,6 +120,10 @@ public:
         return cells;
     }
 
+    /// Cost of the best path known to a cell that was reached, and the jump that ends it; noJump where it begins.
+    double costOf(CellIndex cell) const { return cost_[cell]; }
+    std::uint8_t arrivedBy(CellIndex cell) const { return arrivedBy_[cell]; }
+
     /// True if a path to the cell is known.
     bool isReached(CellIndex cell) const { return testBit(generated_, cell); }
 

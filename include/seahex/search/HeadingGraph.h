@@ -14,6 +14,12 @@
 namespace seahex
 {
 
+/// Do the states of a HeadingGraph of so many cells have 32-bit numbers?
+inline bool headingsFit(std::size_t cells, std::size_t jumps)
+{
+    return cells <= std::numeric_limits<CellIndex>::max() / (jumps + 1);
+}
+
 /// The states of a turn-aware search as AStar wants them: a cell and the heading in which the vessel lies at its
 /// centre, where a heading is that of a jump, or none yet where a path begins. State numbers are
 /// cell * (jumps + 1) + heading.
@@ -41,19 +47,13 @@ class HeadingGraph
 {
 public:
     /// @param graph  with all its jumps in use
-    /// @throws std::length_error unless fits()
+    /// @throws std::length_error unless headingsFit()
     explicit HeadingGraph(Graph graph)
         : graph_(std::move(graph)), none_(static_cast<CellIndex>(graph_.jumpCount())), ways_(none_ + 1)
     {
-        if (!fits(graph_.size(), none_))
+        if (!headingsFit(graph_.size(), none_))
             throw std::length_error("too many cells for a search that knows headings: " +
                                     std::to_string(graph_.size()) + " with " + std::to_string(none_) + " jumps each");
-    }
-
-    /// Do the states of so many cells have 32-bit numbers?
-    static bool fits(std::size_t cells, std::size_t jumps)
-    {
-        return cells <= std::numeric_limits<CellIndex>::max() / (jumps + 1);
     }
 
     /// As the graph's; a search that has begun must be reset.
