@@ -8,6 +8,8 @@
 #include "common/OwnFiles.h"
 
 #include <seahex/io/PositionParser.h>
+#include <seahex/route/TurnComparison.h>
+#include <seahex/search/HexJumps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +51,7 @@ public:
     Study run()
     {
         Study study;
-        study.tables = {tableTwo(), tableThree(), guides()};
+        study.tables = {tableTwo(), tableThree(), fewestTurns(), guides()};
         addFigure(study, "cheng2020_figure3", "Squares, 8 neighbours", asPublished(squares()));
         addFigure(study, "cheng2020_figure4", "Hexagons, 6 neighbours", asPublished(hexagons(1)));
         addFigure(study, "cheng2020_figure5", "Hexagons, 18 neighbours", asPublished(hexagons(2)));
@@ -196,6 +198,47 @@ private:
         table.note =
             "Safe and hopping: g is a sum of steps and the guide is the paper's. Hopping jumps pass over blocked "
             "cells.\nStraight lengths: safe jumps that cost their length, and the exact bound as the guide.";
+        return table;
+    }
+
+    /// What table 3 hopes for, found: the fewest turns for a given length, from centre to centre.
+    Table fewestTurns() const
+    {
+        Table table;
+        table.id = "cheng2020_turns";
+        table.title = "Turns found, not hoped for: hexagons, straight lengths, from centre to centre";
+        table.rows = {{"length", {}, 2},
+                      {"turns", {}, 0},
+                      {"turn angles, degrees", {}, 0},
+                      {"cells and headings expanded", {}, 0}};
+        const seahex::Occupancy &occupancy = sea_.occupancy(Cells::Hexagons);
+        const auto cellOf = [&occupancy](const Point &p)
+        {
+            return occupancy.lattice().cellAt(p);
+        };
+        for (int rings = 1; rings <= 3; ++rings)
+        {
+            const seahex::HexJumps jumps(occupancy.layout(), rings, seahex::JumpSet::All);
+            const auto comparison =
+                seahex::compareTurns(occupancy, jumps, cellOf(start_), cellOf(goal_), {0.0, 0.01, 0.02});
+            const auto add = [&](const std::string &name, const seahex::MeasuredPath &path)
+            {
+                table.columns.push_back(std::to_string(3 * rings * (rings + 1)) + " " + name);
+                const double values[] = {path.lengthCells, static_cast<double>(path.turns),
+                                         path.turnAngleRad * 180.0 / M_PI, static_cast<double>(path.expanded)};
+                for (std::size_t i = 0; i < table.rows.size(); ++i)
+                    table.rows[i].values.emplace_back(values[i]);
+            };
+            if (!comparison)
+                throw demos::Failure(demos::Exit::NoRoute, "the published scenario has no route on this chart");
+            add("rings alone", comparison->plain);
+            add("as short", comparison->fewest[0]);
+            add("+1 %", comparison->fewest[1]);
+            add("+2 %", comparison->fewest[2]);
+        }
+        table.note =
+            "The fewest turns of paths that are no longer than the shortest by more than so much, at some price per "
+            "turn.";
         return table;
     }
 

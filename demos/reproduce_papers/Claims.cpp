@@ -276,6 +276,47 @@ const std::vector<Claim> &claims()
          {
              return ratio(t.hex36.path.lengthW, shortestKnown(t));
          }},
+        {"turns_found",
+         "this project",
+         "hex 6, turns priced, as short - ring expansion alone: turns",
+         0.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return static_cast<double>(t.turnsHex6.asShort.turns - t.turnsHex6.plain.turns);
+         }},
+        {"turns_found_36",
+         "this project",
+         "hex 36, turns priced, as short - ring expansion alone: turns",
+         0.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return static_cast<double>(t.turnsHex36.asShort.turns - t.turnsHex36.plain.turns);
+         }},
+        {"turns_found_2_percent",
+         "this project",
+         "hex 36, turns priced, up to 2 % longer - ring expansion alone: turns",
+         0.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return static_cast<double>(t.turnsHex36.twoPercent.turns - t.turnsHex36.plain.turns);
+         }},
+        {"turns_take_time",
+         "this project",
+         "hex 36, turns priced, as short / ring expansion alone: expanded",
+         1.0,
+         Side::More,
+         {},
+         [](const Trial &t)
+         {
+             return ratio(static_cast<double>(t.turnsHex36.asShort.expanded),
+                          static_cast<double>(t.turnsHex36.plain.expanded));
+         }},
         {"pulled_alike",
          "this project",
          "hex 6 / square 8, strings pulled: length",

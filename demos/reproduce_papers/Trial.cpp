@@ -1,6 +1,7 @@
 #include "Trial.h"
 
 #include <seahex/route/RouteSmoother.h>
+#include <seahex/search/HexJumps.h>
 
 namespace reproduce_papers
 {
@@ -56,6 +57,21 @@ public:
         return result;
     }
 
+    Trial::Turns turns(int rings)
+    {
+        const seahex::Occupancy &occupancy = sea_.occupancy(Cells::Hexagons);
+        const seahex::HexJumps jumps(occupancy.layout(), rings, seahex::JumpSet::All);
+        const seahex::Lattice &lattice = occupancy.lattice();
+        const auto comparison = seahex::compareTurns(occupancy, jumps, lattice.cellAt(pair_.start),
+                                                     lattice.cellAt(pair_.goal), {0.0, 0.02});
+        if (!comparison)
+        {
+            foundAll_ = false;
+            return {};
+        }
+        return {comparison->plain, comparison->fewest[0], comparison->fewest[1]};
+    }
+
 private:
     Measured pull(Cells cells, const seahex::Route &path) const
     {
@@ -89,6 +105,8 @@ std::optional<Trial> runTrial(const Sea &sea, const demos::Pair &pair)
     trial.publishedHex6 = trials.run(asPublished(hexagons(1)));
     trial.publishedHex18 = trials.run(asPublished(hexagons(2)));
     trial.publishedHex36 = trials.run(asPublished(hexagons(3)));
+    trial.turnsHex6 = trials.turns(1);
+    trial.turnsHex36 = trials.turns(3);
     trial.squares = trials.wang(squares());
     trial.hexagons = trials.wang(hexagons(1));
     return trials.foundAll() ? std::optional<Trial>(trial) : std::nullopt;

@@ -3,6 +3,8 @@
 #include "Measured.h"
 #include "common/Pairs.h"
 
+#include <seahex/route/TurnComparison.h>
+
 #include <optional>
 
 namespace reproduce_papers
@@ -38,6 +40,16 @@ struct Trial
     Run publishedHex6;
     Run publishedHex18;
     Run publishedHex36;
+
+    /// Ring expansion alone, from centre to centre, against a search that prices turns.
+    struct Turns
+    {
+        seahex::MeasuredPath plain;
+        seahex::MeasuredPath asShort;     ///< the fewest turns of the shortest paths
+        seahex::MeasuredPath twoPercent;  ///< of those that are up to 2 % longer
+    };
+    Turns turnsHex6;
+    Turns turnsHex36;
 
     /// [Wang2017] on one kind of cells.
     struct Wang
