@@ -35,12 +35,16 @@ std::unique_ptr<LatticeQuery> makeTabledQuery(std::unique_ptr<QueryParts> parts,
                                               const typename Norm::KnownLattice &lattice)
 {
     if (parts->metric)
-        return makeQuery<LatticeLengthWeight<Norm>>(std::move(parts),
-                                                    [&](const QueryParts &p) {
-                                                        return LatticeLengthWeight<Norm>(lattice, p.jumps, *p.metric,
-                                                                                         p.question.guidance,
-                                                                                         p.firstStart(), p.firstGoal());
-                                                    });
+        return makeQuery<LatticeLengthWeight<Norm>>(
+            std::move(parts),
+            [&](const QueryParts &p)
+            {
+                LatticeLengthWeight<Norm> weight(lattice, p.jumps, *p.metric, p.question.guidance, p.firstStart(),
+                                                 p.firstGoal());
+                if (p.question.jumps.rule == JumpRule::Safe && p.question.goals.size() == 1)
+                    weight.setOccupancy(p.question.occupancy);
+                return weight;
+            });
     return makeQuery<SafetyLengthWeight<Norm>>(std::move(parts),
                                                [&](const QueryParts &p) {
                                                    return SafetyLengthWeight<Norm>(lattice, p.jumps, *p.safety,

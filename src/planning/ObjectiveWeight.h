@@ -33,6 +33,7 @@ public:
     }
 
     void useRings(int) {}
+    static bool sharpen(std::uint64_t) { return false; }
 
     double combine(double a, double b) const { return objective_.combineCosts(Cost(a), Cost(b)).value(); }
     bool better(double a, double b) const { return objective_.isCostBetterThan(Cost(a), Cost(b)); }

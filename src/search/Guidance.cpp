@@ -9,12 +9,13 @@ namespace seahex
 namespace
 {
 
-constexpr std::array<std::pair<Guidance, const char *>, 6> names = {{{Guidance::None, "none"},
+constexpr std::array<std::pair<Guidance, const char *>, 7> names = {{{Guidance::None, "none"},
                                                                      {Guidance::Distance, "distance"},
                                                                      {Guidance::Euclidean, "euclidean"},
                                                                      {Guidance::Cheng, "cheng"},
                                                                      {Guidance::Wang, "wang"},
-                                                                     {Guidance::TieBreak, "tie_break"}}};
+                                                                     {Guidance::TieBreak, "tie_break"},
+                                                                     {Guidance::Relaxed, "relaxed"}}};
 
 double cross(const Point &a, const Point &b)
 {

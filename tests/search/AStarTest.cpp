@@ -25,6 +25,8 @@ struct Circulant : LengthAlgebra
 {
     std::vector<std::vector<double>> costs;  // infinity where there is no jump
     std::vector<double> bounds;
+    std::vector<double> sharpBounds;  // in their place after so many expansions
+    std::uint64_t patience = 0;
     CellIndex goal = 0;
     int tiring = 0;
     int calls = 0;
@@ -77,6 +79,14 @@ struct Circulant : LengthAlgebra
         return static_cast<CellIndex>((cell + costs.size() - (jump + 1u) % costs.size()) % costs.size());
     }
     double bound(CellIndex cell) const { return bounds[cell]; }
+    bool sharpen(std::uint64_t expanded)
+    {
+        if (sharpBounds.empty() || expanded < patience)
+            return false;
+        bounds.swap(sharpBounds);
+        sharpBounds.clear();
+        return true;
+    }
     double tie(CellIndex, double bound) const { return bound; }
     double finish(CellIndex cell) const { return cell == goal ? 0.0 : worst(); }
 };
@@ -162,4 +172,37 @@ TEST(AStar, anotherAlgebraFindsTheWidestWay)
         reached += std::isfinite(widest) ? 1 : 0;
     }
     EXPECT_GT(reached, 500);
+}
+
+TEST(AStar, boundsThatGrowOnTheWayLeaveTheCostAndSaveWork)
+{
+    std::uint64_t blunt = 0;
+    std::uint64_t sharpened = 0;
+    for (std::uint64_t seed = 1; seed <= 3000; ++seed)
+    {
+        Random random(seed);
+        SCOPED_TRACE(random.seedText());
+        Circulant lattice = Circulant::random(random);
+        const std::vector<double> exact = lattice.costsToGoal();
+        lattice.bounds.assign(exact.size(), 0.0);
+        const auto solve = [&](Circulant graph)
+        {
+            AStar<Circulant> search(graph);
+            search.addStart(0, 0.5);
+            EXPECT_EQ(search.run([] { return false; }, 10),
+                      std::isfinite(exact[0]) ? SearchStatus::Found : SearchStatus::Exhausted);
+            if (std::isfinite(exact[0]))
+            {
+                EXPECT_NEAR(search.cost(), exact[0] + 0.5, 1e-9);
+            }
+            EXPECT_EQ(search.counters().reopened, 0u);
+            return search.counters().expanded;
+        };
+        blunt += solve(lattice);
+        for (const double cost : exact)
+            lattice.sharpBounds.push_back(std::min(cost, 1e6));  // as sharp as can be, and consistent
+        lattice.patience = static_cast<std::uint64_t>(random.integer(0, 10));
+        sharpened += solve(lattice);
+    }
+    EXPECT_LT(sharpened, blunt * 9 / 10);
 }

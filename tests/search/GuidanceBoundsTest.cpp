@@ -73,8 +73,8 @@ public:
 
 TYPED_TEST_SUITE(GuidanceBounds, JumpKinds, JumpKindNames);
 
-constexpr Guidance everyGuidance[] = {Guidance::None,  Guidance::Distance, Guidance::Euclidean,
-                                      Guidance::Cheng, Guidance::Wang,     Guidance::TieBreak};
+constexpr Guidance everyGuidance[] = {Guidance::None, Guidance::Distance, Guidance::Euclidean, Guidance::Cheng,
+                                      Guidance::Wang, Guidance::TieBreak, Guidance::Relaxed};
 
 bool isConsistent(Guidance guidance)
 {

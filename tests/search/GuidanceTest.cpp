@@ -12,8 +12,8 @@ using namespace seahex::test;
 TEST(Guidance, namesAreReadAsTheyAreWritten)
 {
     std::string all;
-    for (const Guidance guidance :
-         {Guidance::None, Guidance::Distance, Guidance::Euclidean, Guidance::Cheng, Guidance::Wang, Guidance::TieBreak})
+    for (const Guidance guidance : {Guidance::None, Guidance::Distance, Guidance::Euclidean, Guidance::Cheng,
+                                    Guidance::Wang, Guidance::TieBreak, Guidance::Relaxed})
     {
         EXPECT_EQ(guidanceFromString(toString(guidance)), guidance);
         all += (all.empty() ? "" : ",") + std::string(toString(guidance));
@@ -21,6 +21,7 @@ TEST(Guidance, namesAreReadAsTheyAreWritten)
     EXPECT_EQ(guidanceNames(), all);
     EXPECT_EQ(guidanceFromString("wang"), Guidance::Wang);
     EXPECT_EQ(guidanceFromString("tie_break"), Guidance::TieBreak);
+    EXPECT_EQ(guidanceFromString("relaxed"), Guidance::Relaxed);
     EXPECT_FALSE(guidanceFromString("").has_value());
     EXPECT_FALSE(guidanceFromString("Distance").has_value());
     EXPECT_FALSE(guidanceFromString("manhattan").has_value());

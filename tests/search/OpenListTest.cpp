@@ -53,3 +53,36 @@ TEST(OpenList, topIsTheFirstOfAllEntries)
         EXPECT_TRUE(open.empty());
     }
 }
+
+TEST(OpenList, renewedEntriesComeInTheirNewOrder)
+{
+    for (std::uint64_t seed = 1; seed <= 300; ++seed)
+    {
+        Random random(seed);
+        SCOPED_TRACE(random.seedText());
+        OpenList<bool (*)(const OpenEntry &, const OpenEntry &)> open(before);
+        const std::int64_t size = random.integer(0, 60);
+        for (CellIndex i = 0; i < static_cast<CellIndex>(size); ++i)
+            open.push({random.unit(), random.unit(), i});
+        std::vector<OpenEntry> expected;
+        open.renew(
+            [&](OpenEntry &entry)
+            {
+                entry.key = static_cast<double>(random.integer(0, 9));
+                entry.tie = random.unit();
+                if (random.chance(0.3))
+                    return false;
+                expected.push_back(entry);
+                return true;
+            });
+        std::sort(expected.begin(), expected.end(), before);
+        ASSERT_EQ(open.size(), expected.size());
+        for (const OpenEntry &entry : expected)
+        {
+            ASSERT_EQ(open.top().cell, entry.cell);
+            ASSERT_EQ(open.top().key, entry.key);
+            open.pop();
+        }
+        EXPECT_TRUE(open.empty());
+    }
+}

@@ -64,7 +64,7 @@ TEST(SquareSearch, costsEqualDijkstrasForEveryMethod)
                                             .cheapest({{vertexOf(lattice, from), 0.0}}, {{vertexOf(lattice, to), 0.0}});
                 (std::isinf(expected) ? unreachable : reached) += 1;
                 for (const Guidance guidance : {Guidance::None, Guidance::Distance, Guidance::Euclidean,
-                                                Guidance::Cheng, Guidance::Wang, Guidance::TieBreak})
+                                                Guidance::Cheng, Guidance::Wang, Guidance::TieBreak, Guidance::Relaxed})
                 {
                     SCOPED_TRACE(std::to_string(neighbours) + " neighbours, " + toString(rule) + ", " +
                                  toString(guidance));

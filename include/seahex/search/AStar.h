@@ -31,6 +31,8 @@ enum class SearchStatus
 ///     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const
 ///     double bound(CellIndex cell) const
 ///         lower bound of the cost from the cell to a goal
+///     bool sharpen(std::uint64_t expanded)
+///         asked before each expansion, with the number of those before; true if bounds have grown since
 ///     double tie(CellIndex cell, double bound) const
 ///         among cells of equal estimate the smallest is expanded first
 ///     double finish(CellIndex cell) const
@@ -82,6 +84,11 @@ public:
                 if (stop())
                     return SearchStatus::Stopped;
                 untilPoll = pollInterval - 1;
+            }
+            if (!interrupted_ && lattice_.sharpen(counters_.expanded))
+            {
+                renewKeys();
+                continue;  // with whatever is first now, if anything is left
             }
             const OpenEntry entry = takeNext();
             if (!testBit(closed_, entry.cell) && !expand(entry))
@@ -150,7 +157,7 @@ public:
     /// If given, every expanded cell is appended to the trace in the order of expansion.
     void setTrace(std::vector<CellIndex> *trace) { trace_ = trace; }
 
-    /// Forgets everything but the lattice; keeps the memory.
+    /// Forgets everything but the lattice, whose bounds stay as sharp as they are; keeps the memory.
     void reset()
     {
         open_.clear();
@@ -192,6 +199,23 @@ private:
         const OpenEntry entry = open_.top();
         open_.pop();
         return entry;
+    }
+
+    /// Puts the open list in order again. What was expanded stays so: with a consistent bound its cost is final.
+    void renewKeys()
+    {
+        open_.renew(
+            [this](OpenEntry &entry)
+            {
+                entry = entryOf(entry.cell);
+                return !testBit(closed_, entry.cell);
+            });
+    }
+
+    OpenEntry entryOf(CellIndex cell) const
+    {
+        const double bound = lattice_.bound(cell);
+        return {lattice_.key(lattice_.combine(cost_[cell], bound)), lattice_.tie(cell, bound), cell};
     }
 
     bool expand(const OpenEntry &entry)
@@ -245,8 +269,7 @@ private:
         }
         cost_[cell] = cost;
         arrivedBy_[cell] = jump;
-        const double bound = lattice_.bound(cell);
-        open_.push({lattice_.key(lattice_.combine(cost, bound)), lattice_.tie(cell, bound), cell});
+        open_.push(entryOf(cell));
     }
 
     Lattice &lattice_;

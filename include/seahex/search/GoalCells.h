@@ -25,6 +25,8 @@ struct GoalCell
 ///     double bound(OffsetCoord cell, const GoalCell &) const
 ///         lower bound of the cost from a cell to a goal, finish included
 ///     double tie(OffsetCoord cell, double bound) const
+///     bool sharpen(std::uint64_t expanded)
+///         as AStar asks for it
 ///
 /// and the algebra of costs: combine, better, improves, worst, key.
 template <class Weight>

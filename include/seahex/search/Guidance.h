@@ -20,10 +20,14 @@ enum class Guidance
     Cheng,
     /// Straight distance times p(i), [Wang2017] eq. 5: admissible, consistent, and weaker than Euclidean.
     Wang,
-    TieBreak  ///< Distance; among cells of equal estimate the one nearest to the line from start to goal goes first
+    TieBreak,  ///< Distance; among cells of equal estimate the one nearest to the line from start to goal goes first
+    /// Distance, and where the search drags on, the way round what lies across the course as well (RelaxedDistance):
+    /// as exact, and it expands far fewer cells. On hexagons, for lengths, one goal and a known occupancy; elsewhere it
+    /// is Distance.
+    Relaxed
 };
 
-/// "none", "distance", "euclidean", "cheng", "wang", "tie_break".
+/// "none", "distance", "euclidean", "cheng", "wang", "tie_break", "relaxed".
 const char *toString(Guidance guidance);
 
 /// The names of all, separated by commas.

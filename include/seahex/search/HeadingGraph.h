@@ -120,6 +120,7 @@ public:
         return best;
     }
 
+    static bool sharpen(std::uint64_t) { return false; }
     double tie(CellIndex state, double bound) const { return graph_.tie(cellOf(state), bound); }
 
     double finish(CellIndex state) const

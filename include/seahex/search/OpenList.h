@@ -2,6 +2,7 @@
 
 #include <seahex/geometry/CellLayout.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -49,26 +50,41 @@ public:
     {
         const OpenEntry last = heap_.back();
         heap_.pop_back();
+        if (!heap_.empty())
+            sink(0, last);
+    }
+
+    /// Calls renew(entry) for every entry, which may change it, keeps those for which that is true, and puts them in
+    /// order.
+    template <class Renew>
+    void renew(Renew &&renew)
+    {
+        heap_.erase(std::remove_if(heap_.begin(), heap_.end(), [&](OpenEntry &entry) { return !renew(entry); }),
+                    heap_.end());
+        for (std::size_t i = (heap_.size() + 2) / 4; i-- > 0;)
+            sink(i, OpenEntry(heap_[i]));
+    }
+
+private:
+    /// Puts an entry where node i is, or as far below as it belongs.
+    void sink(std::size_t i, const OpenEntry &entry)
+    {
         const std::size_t size = heap_.size();
-        if (size == 0)
-            return;
-        std::size_t i = 0;
-        for (std::size_t child = 1; child < size; child = 4 * i + 1)
+        for (std::size_t child = 4 * i + 1; child < size; child = 4 * i + 1)
         {
             const std::size_t end = child + 4 < size ? child + 4 : size;
             std::size_t best = child;
             for (std::size_t k = child + 1; k < end; ++k)
                 if (before_(heap_[k], heap_[best]))
                     best = k;
-            if (!before_(heap_[best], last))
+            if (!before_(heap_[best], entry))
                 break;
             heap_[i] = heap_[best];
             i = best;
         }
-        heap_[i] = last;
+        heap_[i] = entry;
     }
 
-private:
     Before before_;
     std::vector<OpenEntry> heap_;
 };

@@ -35,7 +35,8 @@ public:
                       const TurnCosts &turns, Guidance guidance, const Point &start, const Point &goal,
                       double unit = 1.0)
         : Length(lattice, jumps, metric, guidance, start, goal), norm_(lattice, jumps), jumps_(&jumps), turns_(turns),
-          unit_(unit), knowsTurns_(guidance == Guidance::Distance || guidance == Guidance::TieBreak),
+          unit_(unit), knowsTurns_(guidance == Guidance::Distance || guidance == Guidance::TieBreak ||
+                                   guidance == Guidance::Relaxed),
           bound_(boundWithin(jumps.rings()))
     {
     }
