@@ -53,8 +53,8 @@ void declare(CLI::App &app, Options &o, Texts &t)
         ->capture_default_str()
         ->type_name("N");
     app.add_option("--guidance", t.guidance,
-                   "what leads the search: none, distance, cheng (as published) or tie_break "
-                   "[distance]")
+                   "what leads the search: none, distance, euclidean, cheng and wang (as published), tie_break "
+                   "or relaxed [relaxed]")
         ->type_name("NAME");
     app.add_option("--metric", t.metric,
                    "what an edge costs: euclidean (metres) or lattice (steps between cells) [euclidean]")
@@ -168,7 +168,7 @@ void resolve(const CLI::App &app, Options &o, Texts &t)
     o.to = position("--to", t.to);
     demos::resolveVesselAndPitch(o);
     o.smoothing = !t.noSmoothing;
-    const std::string guidance = t.guidance.empty() ? "distance" : t.guidance;
+    const std::string guidance = t.guidance.empty() ? "relaxed" : t.guidance;
     if (!seahex::guidanceFromString(guidance))
         usage("--guidance must be one of " + seahex::guidanceNames() + ", not '" + guidance + "'");
     o.guidance = *seahex::guidanceFromString(guidance);

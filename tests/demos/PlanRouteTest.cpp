@@ -173,7 +173,7 @@ TEST(PlanRoute, everyGuidanceAndMetricGivesASafeRoute)
     for (const auto &[metric, length] : metrics)
     {
         double best = 0.0;
-        for (const std::string guidance : {"none", "distance", "tie_break", "cheng"})
+        for (const std::string guidance : {"none", "distance", "tie_break", "relaxed", "cheng"})
         {
             SCOPED_TRACE(std::string(metric) + ", " + guidance);
             const Json report = routeReport(aroundShangchuan() +

@@ -186,7 +186,8 @@ void solveAndCompare(DiscWorld &world, std::map<std::string, int> &seen)
 {
     const auto planner = plannerFor(world.problem);
     const int rings = static_cast<int>(world.random.integer(1, 3));
-    constexpr std::array<Guidance, 3> admissible = {Guidance::None, Guidance::Distance, Guidance::TieBreak};
+    constexpr std::array<Guidance, 4> admissible = {Guidance::None, Guidance::Distance, Guidance::TieBreak,
+                                                    Guidance::Relaxed};
     planner->setRings(rings);
     planner->setGuidance(admissible[static_cast<std::size_t>(world.random.integer(0, 2))]);
     planner->setAllJumps(world.random.chance(0.5));

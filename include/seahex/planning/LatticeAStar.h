@@ -121,7 +121,7 @@ public:
     void getPlannerData(ompl::base::PlannerData &data) const override;
 
     void setGuidance(Guidance guidance);
-    /// By name: none, distance, euclidean, cheng, wang, tie_break. @throws ompl::Exception for another
+    /// By name: none, distance, euclidean, cheng, wang, tie_break, relaxed. @throws ompl::Exception for another
     void setGuidance(const std::string &name);
     std::string getGuidance() const { return toString(guidance_); }
 
@@ -197,7 +197,7 @@ private:
     ompl::base::PlannerStatus tell();
     void addSolution(const ompl::geometric::PathGeometric &path, bool isApproximate);
 
-    Guidance guidance_ = Guidance::Distance;
+    Guidance guidance_ = Guidance::Relaxed;
     JumpRule jumpRule_ = JumpRule::Safe;
     bool smoothing_ = true;
     bool approximate_ = false;
