@@ -14,12 +14,12 @@ namespace seahex
 /// path's first course is no turn.
 ///
 /// Everything is looked up in tables, but for the bound (TurnBound), which takes a few multiplications. With guidance
-/// Distance and TieBreak it is exact where nothing is in the way; the other guidances are LengthWeight's, which know of
-/// no turns.
+/// Distance, TieBreak and Relaxed it is exact where nothing is in the way; the other guidances are LengthWeight's,
+/// which know of no turns.
 ///
 /// A search with the bound expands about as many states as one that is led by length alone where turns are cheap, and
 /// down to a seventh of them where they are dear (a turn for 20 cells; TurnBound's cost is made up for from a turn for
-/// half a cell).
+/// 1 to 5 cells).
 /// @tparam Norm  HexJumpNorm or SquareJumpNorm
 template <class Norm>
 class LatticeTurnWeight : public LatticeLengthWeight<Norm>
