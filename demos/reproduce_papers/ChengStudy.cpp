@@ -250,7 +250,7 @@ private:
         table.columns = {"hex 6 expanded",  "length",   "hex 18 expanded",   "length ",
                          "hex 36 expanded", "length  ", "square 8 expanded", "length   "};
         for (const Guidance guidance : {Guidance::None, Guidance::Cheng, Guidance::Wang, Guidance::Euclidean,
-                                        Guidance::Distance, Guidance::TieBreak})
+                                        Guidance::Distance, Guidance::TieBreak, Guidance::Relaxed})
         {
             Table::Row row{seahex::toString(guidance), {}, 2};
             for (const Method &method : {hexagons(1), hexagons(2), hexagons(3), squares()})
@@ -261,6 +261,7 @@ private:
             }
             table.rows.push_back(row);
         }
+        table.decimals = {0, {}, 0, {}, 0, {}, 0, {}};
         table.note =
             "none is Dijkstra's algorithm; all but cheng on 18 and 36 neighbours are sure of the shortest path.";
         return table;

@@ -276,6 +276,46 @@ const std::vector<Claim> &claims()
          {
              return ratio(t.hex36.path.lengthW, shortestKnown(t));
          }},
+        {"relaxed_saves",
+         "this project",
+         "hex 6, guide relaxed / exact distance: cells expanded",
+         1.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return ratio(t.relaxedHex6.expanded, t.hex6.expanded);
+         }},
+        {"relaxed_saves_36",
+         "this project",
+         "hex 36, guide relaxed / exact distance: cells expanded",
+         1.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return ratio(t.relaxedHex36.expanded, t.hex36.expanded);
+         }},
+        {"relaxed_saves_time",
+         "this project",
+         "hex 36, guide relaxed / exact distance: search time",
+         1.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return ratio(t.relaxedHex36.searchMs, t.hex36.searchMs);
+         }},
+        {"relaxed_is_as_short",
+         "this project",
+         "hex 36, guide relaxed / exact distance: length, less 1e-9",
+         1.0,
+         Side::Less,
+         {},
+         [](const Trial &t)
+         {
+             return ratio(t.relaxedHex36.path.lengthW, t.hex36.path.lengthW) - 1e-9;
+         }},
         {"turns_found",
          "this project",
          "hex 6, turns priced, as short - ring expansion alone: turns",

@@ -94,6 +94,8 @@ std::optional<Trial> runTrial(const Sea &sea, const demos::Pair &pair)
     trial.hex36 = trials.run(hexagons(3), trial.pulledHex36);
     trial.square8 = trials.run(squares(), trial.pulledSquare8);
     trial.square8OfArea = trials.run(squares(Cells::SquaresOfArea));
+    trial.relaxedHex6 = trials.run(with(hexagons(1), Guidance::Relaxed));
+    trial.relaxedHex36 = trials.run(with(hexagons(3), Guidance::Relaxed));
     trial.guidedHex6 = trials.run(with(hexagons(1), Guidance::Cheng));
     trial.guidedSquare8 = trials.run(with(squares(), Guidance::Cheng));
     trial.stepsHex36 = trials.run(with(hexagons(3), Cost::Steps));

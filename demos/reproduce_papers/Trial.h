@@ -27,6 +27,9 @@ struct Trial
     Run hex36;
     Run square8;
     Run square8OfArea;
+    // The same paths' lengths by this project's guide.
+    Run relaxedHex6;
+    Run relaxedHex36;
     // The same after the string was pulled.
     Measured pulledHex6;
     Measured pulledHex36;
