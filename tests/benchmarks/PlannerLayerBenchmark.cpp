@@ -42,8 +42,8 @@ double bareSearch(const HexOccupancy &occupancy, const Query &query, int rings)
     const HexLattice &lattice = occupancy.lattice();
     const HexJumps jumps(occupancy.layout(), rings, JumpSet::Primitive);
     JumpGraph<LengthWeight> graph(occupancy, jumps, {{query.goal, 0.0}},
-                                 LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
-                                              lattice.centre(query.start), lattice.centre(query.goal)));
+                                  LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
+                                               lattice.centre(query.start), lattice.centre(query.goal)));
     AStar<JumpGraph<LengthWeight>> search(graph);
     search.addStart(occupancy.layout().index(query.start), 0.0);
     search.run([] { return false; }, 500);

@@ -31,8 +31,8 @@ Route latticePath(const HexOccupancy &occupancy, HexCoord from, HexCoord to, int
     const HexJumps jumps(occupancy.layout(), rings, JumpSet::Primitive);
     const HexLattice &lattice = occupancy.lattice();
     JumpGraph<LengthWeight> graph(occupancy, jumps, {{to, 0.0}},
-                                 LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
-                                              lattice.centre(from), lattice.centre(to)));
+                                  LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
+                                               lattice.centre(from), lattice.centre(to)));
     AStar<JumpGraph<LengthWeight>> search(graph);
     search.addStart(occupancy.layout().index(from), 0.0);
     search.run([] { return false; }, 1000);
