@@ -16,5 +16,6 @@
 #include <seahex/planning/OccupancyValidityChecker.h>
 #include <seahex/planning/RouteFromPath.h>
 #include <seahex/planning/Setup.h>
+#include <seahex/planning/SquareAStar.h>
 #include <seahex/route/RouteMetrics.h>
 #include <seahex/route/RouteSmoother.h>
