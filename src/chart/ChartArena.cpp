@@ -99,7 +99,7 @@ ChartArena::ChartArena(const Chart &chart, const ArenaOptions &options)
         verdicts_.push_back(judge(*hazard.object, vessel_, scope_));
 
     const Box box = boxOf(coverage_);
-    scale_ = projection_.largestScale(std::max(std::abs(box.min.x()), std::abs(box.max.x())));
+    scale_ = projection_.largestScale(box);
     occupancy_ =
         fill(options.lattice ? *options.lattice
                              : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));

@@ -77,7 +77,8 @@ WrittenRouteCheck::WrittenRouteCheck(const Chart &chart, const ChartArena &arena
     if (!arena.projection().isMetric())
     {
         const double degree = 111320.0;  // metres, at most
-        scale_ = metric_.largestScale(0.5 * degree * (chart.bounds.eastDeg - chart.bounds.westDeg));
+        const double eastM = 0.5 * degree * (chart.bounds.eastDeg - chart.bounds.westDeg);
+        scale_ = metric_.largestScale(Box{Point(-eastM, 0.0), Point(eastM, 0.0)});
         return;
     }
     scale_ = arena.scale();

@@ -294,12 +294,65 @@ TEST(Projection, theScaleIsABoundOfThePlanesStretch)
             const double curvature =
                 6378137.0 * (1.0 - 0.00669437999014) / std::pow(1.0 - 0.00669437999014 * sine * sine, 1.5);
             const double scale = (b - a).norm() / (1e-4 * radians * curvature);
-            EXPECT_LE(scale, projection.largestScale(std::max(std::abs(a.x()), std::abs(b.x()))) + 1e-7)
+            EXPECT_LE(scale, projection.largestScale(Box{a.cwiseMin(b), a.cwiseMax(b)}) + 1e-7)
                 << latitude << " " << east;
-            EXPECT_GE(scale, 0.99 * projection.largestScale(std::abs(a.x()))) << "and not a wild one";
+            EXPECT_GE(scale, 0.99 * projection.largestScale(Box{a, a})) << "and not a wild one";
         }
     }
-    EXPECT_EQ(Projection::plateCarree().largestScale(100.0), 1.0);
+    EXPECT_EQ(Projection::plateCarree().largestScale(Box{Point(0, 0), Point(100, 100)}), 1.0);
+}
+
+TEST(Projection, localEquirectangularIsAffine)
+{
+    const auto projection = Projection::localEquirectangular(GeoPoint::fromLatLon(39.5, 8.0));
+    EXPECT_TRUE(projection.isMetric());
+    EXPECT_EQ(projection.edgeToleranceM(), 0.0);
+    EXPECT_EQ(projection.forward(GeoPoint::fromLatLon(39.5, 8.0)), Point(0, 0));
+    const Point degree = projection.forward(GeoPoint::fromLatLon(40.5, 9.0));
+    EXPECT_EQ(degree, metresPerDegree(39.5));
+    // The lengths of a degree at latitude 40, to a metre: 85,394 and 111,035 (WGS-84, tables of the NGA).
+    EXPECT_NEAR(metresPerDegree(40.0).x(), 85393.7, 1.0);
+    EXPECT_NEAR(metresPerDegree(40.0).y(), 111034.6, 1.0);
+    EXPECT_EQ(projection.forward(GeoPoint::fromLatLon(39.5, 368.5)),
+              projection.forward(GeoPoint::fromLatLon(39.5, 8.5)));
+
+    GeoShape line;
+    line.lonLat.lines.push_back({Point(2.0, 37.0), Point(14.0, 42.0)});
+    const Shape image = projection.forward(line);
+    ASSERT_EQ(image.lines.at(0).size(), 2u) << "straight lines stay straight";
+    for (const double t : {0.1, 0.5, 0.9})
+    {
+        const GeoPoint back = projection.inverse(image.lines[0][0] + t * (image.lines[0][1] - image.lines[0][0]));
+        EXPECT_NEAR(back.longitudeDeg(), 2.0 + 12.0 * t, 1e-12);
+        EXPECT_NEAR(back.latitudeDeg(), 37.0 + 5.0 * t, 1e-12);
+    }
+    EXPECT_THROW(projection.inverse(Point(0, 6e6)), PositionError);
+    EXPECT_THROW(Projection::localEquirectangular(GeoPoint::fromLatLon(86.0, 8.0)), PositionError);
+}
+
+TEST(Projection, theScaleOfALocalEquirectangularIsABoundAndItsErrorIsWhatTheHeaderSays)
+{
+    for (const double latitude : {-60.0, -2.0, 0.0, 21.5, 40.0, 70.0})
+    {
+        const auto projection = Projection::localEquirectangular(GeoPoint::fromLatLon(latitude, 10.0));
+        const Point here = metresPerDegree(latitude);
+        for (const double south : {-3.0, -1.0, 0.0, 2.0})
+            for (const double height : {0.0, 1.0, 5.0})
+            {
+                const Box box{Point(-1e5, south * here.y()), Point(1e5, (south + height) * here.y())};
+                const double largest = projection.largestScale(box);
+                double seen = 0.0;
+                for (int i = 0; i <= 100; ++i)
+                {
+                    const Point there = metresPerDegree(latitude + south + height * i / 100.0);
+                    seen = std::max({seen, here.x() / there.x(), here.y() / there.y()});
+                }
+                EXPECT_LE(seen, largest * (1.0 + 1e-12)) << latitude << " " << south << " " << height;
+                EXPECT_GE(seen, largest * (1.0 - 1e-6));
+            }
+    }
+    const double off = metresPerDegree(40.0).x() / metresPerDegree(40.0 + 100.0 / 111.0).x() - 1.0;
+    EXPECT_NEAR(off, 0.0132, 0.0005) << "100 km north of latitude 40";
 }
 
 }  // namespace
