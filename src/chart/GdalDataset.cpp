@@ -27,6 +27,12 @@ std::vector<const char *> pointersTo(const std::vector<std::string> &texts)
     return pointers;
 }
 
+void registerDrivers()
+{
+    static std::once_flag registered;
+    std::call_once(registered, [] { GDALAllRegister(); });
+}
+
 }  // namespace
 
 DriverMessages::DriverMessages()
@@ -67,13 +73,17 @@ std::vector<std::string> DriverMessages::lines() const
 GdalDataset openVector(const std::string &path, const std::vector<std::string> &drivers,
                        const std::vector<std::string> &openOptions)
 {
-    static std::once_flag registered;
-    std::call_once(registered, [] { GDALAllRegister(); });
-
+    registerDrivers();
     const std::vector<const char *> allowed = pointersTo(drivers);
     const std::vector<const char *> options = pointersTo(openOptions);
     return GdalDataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR,
                                          drivers.empty() ? nullptr : allowed.data(), options.data()));
+}
+
+GdalDataset openRaster(const std::string &path)
+{
+    registerDrivers();
+    return GdalDataset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
 }
 
 }  // namespace seahex

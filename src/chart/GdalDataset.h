@@ -56,4 +56,7 @@ using GdalDataset = std::unique_ptr<GDALDataset, CloseDataset>;
 GdalDataset openVector(const std::string &path, const std::vector<std::string> &drivers,
                        const std::vector<std::string> &openOptions);
 
+/// Opens a raster for reading, or returns nullptr.
+GdalDataset openRaster(const std::string &path);
+
 }  // namespace seahex
