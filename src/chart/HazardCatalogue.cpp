@@ -37,7 +37,7 @@ const std::vector<HazardClass> &hazardCatalogue()
         {"CAUSWY", HazardRule::Always, POINT_M, LINE_M, NONE_M, false},
         {"CBLARE", HazardRule::Regulation, NONE_M, NONE_M, NONE_M, false},
         {"CBLOHD", HazardRule::Overhead, NONE_M, NONE_M, NONE_M, false},
-        {"CBLSUB", HazardRule::Ignored, NONE_M, NONE_M, NONE_M, false},
+        {"CBLSUB", HazardRule::Cable, POINT_M, LINE_M, NONE_M, false},
         {"COALNE", HazardRule::Always, POINT_M, NONE_M, NONE_M, false},
         {"CONVYR", HazardRule::Overhead, NONE_M, NONE_M, NONE_M, false},
         {"CRANES", HazardRule::Overhead, NONE_M, NONE_M, NONE_M, false},

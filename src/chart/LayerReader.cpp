@@ -34,6 +34,7 @@ bool canBlock(HazardRule rule)
         case HazardRule::Danger:
         case HazardRule::MarineFarm:
         case HazardRule::Mooring:
+        case HazardRule::Cable:  // under water
         case HazardRule::Pipeline:
         case HazardRule::ChartGap:
         case HazardRule::Caution:  // where WATLEV says that it shows

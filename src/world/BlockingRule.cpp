@@ -180,6 +180,29 @@ Verdict judgePipeline(const HazardObject &object, double requiredM)
     return byDepth(isDeeper(*depthM, requiredM), *depthM, Outcome::Ignored, "least depth over the pipeline");
 }
 
+/// Empty for what is judged as at the surface: neither seabed nor in the water at a depth of its own.
+std::optional<Verdict> judgeInWaterColumn(const HazardObject &object)
+{
+    switch (object.rule)
+    {
+        case HazardRule::DepthArea:
+        case HazardRule::Sounding:
+            return Verdict{};
+        case HazardRule::Danger:
+            return blocked("danger under water");
+        case HazardRule::MarineFarm:
+            return blocked("marine farm");
+        case HazardRule::Mooring:
+            return blocked("mooring facility");
+        case HazardRule::Pipeline:
+            return blocked("pipeline");
+        case HazardRule::Cable:
+            return blocked("submarine cable");
+        default:
+            return std::nullopt;
+    }
+}
+
 const char *reasonOfAlways(const std::string &objectClass)
 {
     if (objectClass == "LNDARE")
@@ -204,6 +227,9 @@ std::string metres(double value)
 
 Verdict judge(const HazardObject &object, const Vessel &vessel, HazardScope scope)
 {
+    if (scope == HazardScope::WaterColumn)
+        if (const std::optional<Verdict> verdict = judgeInWaterColumn(object))
+            return *verdict;
     if (scope == HazardScope::LandOnly)
         return object.objectClass == "LNDARE" ? blocked("land") : Verdict{};
 
@@ -234,6 +260,7 @@ Verdict judge(const HazardObject &object, const Vessel &vessel, HazardScope scop
             return cost("regulated area: rules not judged");
         case HazardRule::Quality:
             return cost("quality of the data: not judged");
+        case HazardRule::Cable:
         case HazardRule::Ignored:
             break;
     }

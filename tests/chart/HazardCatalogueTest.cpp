@@ -61,7 +61,8 @@ TEST(HazardCatalogue, holdsTheClassesOfEveryRule)
         "CTNARE SPLARE SUBTLN FERYRT HRBARE CTSARE ACHBRT DWRTPT TWRTPT RECTRC RCRTCL",
         HazardRule::Regulation);
     expectRule("M_QUAL M_ACCY M_SREL", HazardRule::Quality);
-    expectRule("SWPARE DEPCNT CBLSUB TUNNEL TSSBND", HazardRule::Ignored);
+    expectRule("CBLSUB", HazardRule::Cable);
+    expectRule("SWPARE DEPCNT TUNNEL TSSBND", HazardRule::Ignored);
 }
 
 TEST(HazardCatalogue, holdsEveryBuoyAndBeaconOfS57)

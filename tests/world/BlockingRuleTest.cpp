@@ -257,6 +257,29 @@ TEST(BlockingRule, countsLandAloneInTheLandOnlyScope)
             << other;
 }
 
+TEST(BlockingRule, keepsOutOfEverythingInTheWaterColumnButNotOfDepths)
+{
+    const auto underWater = [](const char *objectClass, HazardRule rule)
+    {
+        const HazardObject deep = object(objectClass, rule,
+                                         {{"DRVAL1", {900.0}},
+                                          {"DEPTH", {900.0}},
+                                          {"VALSOU", {900.0}},
+                                          {"WATLEV", {3.0}},
+                                          {"CATMOR", {6.0}},
+                                          {"CATOBS", {7.0}}});
+        return judge(deep, {}, HazardScope::WaterColumn).outcome;
+    };
+    EXPECT_EQ(underWater("DEPARE", HazardRule::DepthArea), Outcome::Ignored);
+    EXPECT_EQ(judge(object("DEPARE", HazardRule::DepthArea), {}, HazardScope::WaterColumn).outcome, Outcome::Ignored);
+    EXPECT_EQ(underWater("SOUNDG", HazardRule::Sounding), Outcome::Ignored);
+    for (const HazardRule rule : {HazardRule::Always, HazardRule::Danger, HazardRule::MarineFarm, HazardRule::Mooring,
+                                  HazardRule::Pipeline, HazardRule::Cable, HazardRule::ChartGap})
+        EXPECT_EQ(underWater("X", rule), Outcome::Blocked) << static_cast<int>(rule);
+    EXPECT_EQ(underWater("RESARE", HazardRule::Regulation), Outcome::Cost);
+    EXPECT_EQ(judge(object("CBLSUB", HazardRule::Cable), {}).outcome, Outcome::Ignored) << "no matter at the surface";
+}
+
 RC_GTEST_PROP(BlockingRule, neverOpensForADeeperVesselWhatIsShutForAShallowOne, ())
 {
     const auto someDepth = rc::gen::map(rc::gen::inRange(-40, 400), [](int dm) { return 0.1 * dm; });

@@ -21,8 +21,12 @@ enum class Outcome
 /// Which chart objects count.
 enum class HazardScope
 {
-    All,      ///< the whole catalogue
-    LandOnly  ///< LNDARE alone, as the published scenario of [Cheng2020] has it
+    All,       ///< the whole catalogue
+    LandOnly,  ///< LNDARE alone, as the published scenario of [Cheng2020] has it
+    /// What a vehicle under water keeps out of at every depth, from the surface to the seabed: all that stands, lies or
+    /// floats, at whatever charted depth (wrecks, rocks, obstructions, piles, buoys, pipelines, cables, fish farms),
+    /// and land. Depth areas and soundings don't count: they are the seabed (Bathymetry).
+    WaterColumn
 };
 
 /// The outcome for one object, with what decided it.

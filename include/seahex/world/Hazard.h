@@ -19,6 +19,7 @@ enum class HazardRule
     Danger,      ///< OBSTRN, UWTROC, WRECKS: by VALSOU, and by the order of defaults where VALSOU is missing
     MarineFarm,  ///< MARCUL: blocks unless always under water (WATLEV 3) at a known VALSOU beyond the required depth
     Mooring,     ///< MORFAC: dolphins, bollards, tie-up walls, piles and mooring buoys block (CATMOR 1 to 5, 7)
+    Cable,       ///< CBLSUB: lies on the bottom; blocks in the water column's scope only
     Pipeline,    ///< PIPSOL: blocks if DRVAL1 is known and not more than the required depth
     ChartGap,    ///< water inside the coverage that no group 1 area describes: a chart fault, blocks
     Caution,     ///< worth a word to the navigator; blocks only if WATLEV says that it shows at the surface
