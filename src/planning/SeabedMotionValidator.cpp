@@ -40,8 +40,8 @@ bool SeabedMotionValidator::checkMotion(const ob::State *s1, const ob::State *s2
     ob::State *state = si_->cloneState(s1);
     ob::State *best = si_->cloneState(s1);
     double valid = 0.0;
-    double invalid = isValid(s1, s1) ? 1.0 : 0.0;
-    for (int i = 0; i < 40 && invalid > 0.0; ++i)
+    double invalid = 1.0;
+    for (int i = 0; i < 40; ++i)
     {
         const double middle = 0.5 * (valid + invalid);
         si_->getStateSpace()->interpolate(s1, s2, middle, state);

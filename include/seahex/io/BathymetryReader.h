@@ -45,7 +45,8 @@ struct BathymetryOptions
     double datumOffsetM = 0.0;
     /// A value, before scaling, that means "none", besides those that the raster itself declares.
     std::optional<double> noData;
-    /// Part to read, in the raster's own coordinates: the fewest nodes that enclose what of it lies on the raster.
+    /// Part to read, in the raster's coordinates (degrees, or metres): the fewest nodes that enclose what of it lies on
+    /// the raster.
     std::optional<Box> window;
     /// More nodes than that are refused; the default takes 1 GB.
     std::int64_t mostNodes = 250000000;
