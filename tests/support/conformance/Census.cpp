@@ -85,6 +85,21 @@ ob::StateSpacePtr countingPlane(const Box &bounds, const CensusPtr &census)
     return space;
 }
 
+ob::StateSpacePtr countingSolid(const Box &bounds, const CensusPtr &census)
+{
+    auto space = std::make_shared<Counting<ob::RealVectorStateSpace>>(census, 3);
+    ob::RealVectorBounds box(3);
+    for (unsigned int axis = 0; axis < 2; ++axis)
+    {
+        box.setLow(axis, bounds.min[axis]);
+        box.setHigh(axis, bounds.max[axis]);
+    }
+    box.setLow(2, 0.0);
+    box.setHigh(2, 4.0);
+    space->setBounds(box);
+    return space;
+}
+
 ob::StateSpacePtr countingPoses(const Box &bounds, const CensusPtr &census)
 {
     auto space = std::make_shared<ob::SE2StateSpace>();

@@ -32,6 +32,9 @@ using CensusPtr = std::shared_ptr<Census>;
 /// R^2 whose states are counted: a class derived from OMPL's, which planners take for it.
 ompl::base::StateSpacePtr countingPlane(const Box &bounds, const CensusPtr &census);
 
+/// R^3 over these bounds, from 0 to 4 high, whose states are counted.
+ompl::base::StateSpacePtr countingSolid(const Box &bounds, const CensusPtr &census);
+
 /// SE(2) whose states are counted. It is OMPL's class itself, because Dubins' and Reeds and Shepp's cars derive from it
 /// and planners therefore may insist on it: what is in the census is the yaw of each state, not the state.
 ompl::base::StateSpacePtr countingPoses(const Box &bounds, const CensusPtr &census);

@@ -2,10 +2,10 @@
 
 #include "support/AsciiWorld.h"
 #include "support/CellOracle.h"
+#include "support/conformance/Footing.h"
 
 #include <seahex/planning/OccupancyMotionValidator.h>
 #include <seahex/planning/OccupancyValidityChecker.h>
-#include <seahex/planning/PlanarEmbedding.h>
 
 #include <algorithm>
 #include <set>
@@ -176,7 +176,7 @@ class DiscsChecker : public ob::StateValidityChecker
 {
 public:
     DiscsChecker(const ob::SpaceInformationPtr &si, Discs discs, QuestionHook onQuestion)
-        : ob::StateValidityChecker(si), embedding_(si->getStateSpace().get()), discs_(std::move(discs)),
+        : ob::StateValidityChecker(si), footing_(si->getStateSpace().get()), discs_(std::move(discs)),
           onQuestion_(std::move(onQuestion))
     {
         specs_.clearanceComputationType = ob::StateValidityCheckerSpecs::EXACT;
@@ -190,7 +190,7 @@ public:
 
     double clearance(const ob::State *state) const override
     {
-        const Point p = embedding_.position(state);
+        const Point p = footing_.position(state);
         double least = 100.0;
         for (std::size_t i = 0; i < discs_.centres.size(); ++i)
             least = std::min(least, (p - discs_.centres[i]).norm() - discs_.radii[i]);
@@ -198,7 +198,7 @@ public:
     }
 
 private:
-    PlanarEmbedding embedding_;
+    Footing footing_;
     Discs discs_;
     QuestionHook onQuestion_;
 };
@@ -255,6 +255,12 @@ std::vector<PlannerArena> everyArena()
                 arenas.back().name += " in " + kind.name;
                 arenas.back().makeSpace = kind.makeSpace;
             }
+    arenas.push_back(discs());
+    arenas.back().name = "columns in R3";
+    arenas.back().makeSpace = [](const auto &arena, const auto &census)
+    {
+        return countingSolid(arena.bounds, census);
+    };
     return arenas;
 }
 

@@ -41,7 +41,8 @@ struct PlannerArena
 };
 
 /// A bay with a lagoon, a long strait one cell wide, open water, a random archipelago, a larger one, all of hexagons; a
-/// "square" bay, strait and archipelago of squares; and discs: each in every space that it can be in.
+/// "square" bay, strait and archipelago of squares; and discs: each in every planar space that it can be in. "columns
+/// in R3": the discs, as high as R^3 is.
 const std::vector<PlannerArena> &plannerArenas();
 
 /// Told of every state that a user's checker is asked for.

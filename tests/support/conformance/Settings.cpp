@@ -1,3 +1,4 @@
+#include "support/conformance/Footing.h"
 #include "support/conformance/Themes.h"
 #include "support/conformance/Trial.h"
 
@@ -190,9 +191,10 @@ void aForeignSpaceIsRefused(Trial &trial)
         }
     };
     refuses(nullptr, "no space");
-    const auto solid = std::make_shared<ob::RealVectorStateSpace>(3);
-    solid->setBounds(0.0, 1.0);
-    refuses(std::make_shared<ob::SpaceInformation>(solid), "R^3");
+    const unsigned int foreign = Footing(trial.si()->getStateSpace().get()).isSolid() ? 2 : 3;
+    const auto space = std::make_shared<ob::RealVectorStateSpace>(foreign);
+    space->setBounds(0.0, 1.0);
+    refuses(std::make_shared<ob::SpaceInformation>(space), "R^" + std::to_string(foreign));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "support/conformance/Trial.h"
 
-#include <seahex/planning/PlanarEmbedding.h>
+#include "support/conformance/Footing.h"
 
 #include <ompl/base/goals/GoalRegion.h>
 #include <ompl/base/goals/GoalStates.h>
@@ -65,13 +65,13 @@ bool Trial::expect(bool condition, const std::string &violation)
 ob::ScopedState<> Trial::stateAt(const Point &p, double heading) const
 {
     ob::ScopedState<> state(si_);
-    PlanarEmbedding(si_->getStateSpace().get()).place(state.get(), p, heading);
+    Footing(si_->getStateSpace().get()).place(state.get(), p, heading);
     return state;
 }
 
 bool Trial::turnsMatter() const
 {
-    return PlanarEmbedding(si_->getStateSpace().get()).hasHeading();
+    return Footing(si_->getStateSpace().get()).hasHeading();
 }
 
 const ob::State *Trial::counted(const ob::State *state) const
@@ -81,7 +81,7 @@ const ob::State *Trial::counted(const ob::State *state) const
 
 Point Trial::positionOf(const ob::State *state) const
 {
-    return PlanarEmbedding(si_->getStateSpace().get()).position(state);
+    return Footing(si_->getStateSpace().get()).position(state);
 }
 
 void Trial::setObjective(const ob::ProblemDefinitionPtr &problem, const ob::OptimizationObjectivePtr &objective) const
