@@ -1,6 +1,7 @@
 #pragma once
 
 #include <seahex/geometry/Lattice.h>
+#include <seahex/planning/PlanningOutcome.h>
 #include <seahex/search/Guidance.h>
 #include <seahex/search/Jumps.h>
 #include <seahex/search/SearchCounters.h>
@@ -24,18 +25,6 @@ class PlanarEmbedding;
 class SearchTree;
 struct JumpChoice;
 struct ProgressBoard;
-
-/// How the last solve() of a lattice planner ended. OMPL 1.5's PlannerStatus has no word for an exhausted lattice.
-enum class PlanningOutcome
-{
-    None,          ///< not asked yet
-    Found,         ///< a path, and all that the settings ask for is done
-    Improvable,    ///< a path, but ended before that, by the termination condition or the objective's threshold
-    Exhausted,     ///< no path at this cell size; a finer lattice may have one
-    OutOfTime,     ///< stopped by the termination condition; solve() again continues
-    InvalidStart,  ///< no start is valid and joined to a cell
-    InvalidGoal    ///< no goal is valid and joined to a cell
-};
 
 /// What the tag of a vertex says in the PlannerData of a lattice planner.
 enum class PlannerDataTag
