@@ -48,26 +48,21 @@ double ExactSelection::legCost(std::size_t from, std::size_t to) const
     return gridLegCosts_[frame().index({std::abs(a.across - b.across), std::abs(a.level - b.level)})];
 }
 
-double ExactSelection::costOf(std::size_t from, std::size_t to) const
-{
-    const int plane = planeOf(to);
-    const double cost = plane == lastPlane() ? 0.0 : problem().pointCost(plane, to % frame().cellCount());
-    return legCost(from, to) + cost;
-}
-
 double ExactSelection::leastToCome(int plane, std::size_t index) const
 {
-    const std::size_t from = point(plane, index);
+    const double own = problem().pointCost(plane, index);
     if (plane + 1 == lastPlane())
-        return legCost(from, point(lastPlane(), 0));
+        return own + legCost(point(plane, index), point(lastPlane(), 0));
+    const SliceCell from = frame().cell(index);
     double least = infinity;
-    for (std::size_t next = 0; next < frame().cellCount(); ++next)
-        if (problem().isOpen(plane + 1, next))
+    std::size_t to = point(plane + 1, 0);
+    for (int across = 0; across < frame().across(); ++across)
+        for (int level = 0; level < frame().levels(); ++level)
         {
-            const std::size_t to = point(plane + 1, next);
-            least = std::min(least, costOf(from, to) + toCome_[to]);
+            const SliceCell apart = {std::abs(across - from.across), std::abs(level - from.level)};
+            least = std::min(least, gridLegCosts_[frame().index(apart)] + toCome_[to++]);
         }
-    return least;
+    return own + least;
 }
 
 int ExactSelection::firstClosedPlane() const
@@ -102,8 +97,9 @@ bool ExactSelection::lookBack(LegJudge &judge)
 
 void ExactSelection::reach(std::size_t point, double soFar)
 {
+    const bool isEnd = point == 0 || planeOf(point) == lastPlane();
     isReached_[point] = true;
-    soFar_[point] = soFar;
+    soFar_[point] = isEnd ? soFar : soFar + problem().pointCost(planeOf(point), point % frame().cellCount());
     farthest_ = std::max(farthest_, planeOf(point));
     offerNextLeg({-infinity, point, 0});
 }
@@ -120,7 +116,7 @@ void ExactSelection::offerNextLeg(const Leg &last)
         const std::size_t to = point(plane, index);
         if (isReached_[to] || toCome_[to] == infinity)
             continue;
-        const Leg leg{soFar_[last.from] + costOf(last.from, to) + toCome_[to], last.from, to};
+        const Leg leg{soFar_[last.from] + legCost(last.from, to) + toCome_[to], last.from, to};
         if (leg > last && best > leg)
             best = leg;
     }
@@ -154,7 +150,7 @@ SliceSearch::Step ExactSelection::work(LegJudge &judge)
         if (answer == LegJudge::Answer::Valid)
         {
             parents_[leg.to] = leg.from;
-            reach(leg.to, soFar_[leg.from] + costOf(leg.from, leg.to));
+            reach(leg.to, soFar_[leg.from] + legCost(leg.from, leg.to));
         }
         if (isReached_[point(lastPlane(), 0)])
         {

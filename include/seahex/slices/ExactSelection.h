@@ -46,7 +46,6 @@ private:
     SliceCell cellOf(std::size_t point) const { return frame().cell(point % frame().cellCount()); }
     Eigen::Vector3d positionOf(std::size_t point) const;
     double legCost(std::size_t from, std::size_t to) const;
-    double costOf(std::size_t from, std::size_t to) const;  // of a leg and the point that it leads to
     double leastToCome(int plane, std::size_t index) const;
     int firstClosedPlane() const;
     bool lookBack(LegJudge &judge);
@@ -55,11 +54,12 @@ private:
     SlicePath pathTo(std::size_t point) const;
 
     std::vector<double> gridLegCosts_;  // between points of neighbouring planes, by steps across and levels apart
-    std::vector<double> toCome_;        // least F from a point to the goal as though all legs were valid
-    std::size_t looked_;                // points from this one on have theirs
+    // Least F of an open point and all that comes after it, as though all legs were valid; infinity elsewhere.
+    std::vector<double> toCome_;
+    std::size_t looked_;  // points from this one on have theirs
 
     std::vector<bool> isReached_;
-    std::vector<double> soFar_;  // least F from the start to a point that is reached
+    std::vector<double> soFar_;  // least F from the start to a point that is reached, with its own share
     std::vector<std::size_t> parents_;
     // Of each point that is reached the best leg that was not judged yet, the best of all on top.
     std::priority_queue<Leg, std::vector<Leg>, std::greater<>> legs_;
