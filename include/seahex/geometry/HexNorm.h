@@ -7,10 +7,10 @@
 namespace seahex
 {
 
-// How far it is when only the jumps of a ring expansion may be made. Both functions are norms (triangle inequality,
-// scaling), exact for differences of cells and extended to all vectors: in a lattice without obstacles the cheapest
-// chain of jumps from one centre to another costs exactly the norm of their difference, and no chain is cheaper in any
-// lattice.
+// How far it is when only the jumps of a ring expansion may be made. All these functions are norms (triangle
+// inequality, scaling), exact for differences of cells and extended to all vectors: in a lattice without obstacles the
+// cheapest chain of jumps from one centre to another costs exactly the norm of their difference, and no chain is
+// cheaper in any lattice.
 
 /// D of [Cheng2020] eq. 4 extended to vectors of the plane: the number of steps between neighbours, in cells.
 double hexNorm(const Point &vector, const HexLattice &lattice);
@@ -22,5 +22,8 @@ double hexNorm(const Point &vector, const HexLattice &lattice);
 /// two neighbours) and root 7 (third ring).
 /// @param rings  1, 2 or 3
 double ringNorm(HexCoord difference, int rings);
+
+/// The same extended to vectors of the plane: a vector in pitches, its norm in pitches.
+double ringNorm(const Point &vector, int rings);
 
 }  // namespace seahex

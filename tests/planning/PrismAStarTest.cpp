@@ -1,0 +1,239 @@
+#include "planning/Dive.h"
+#include "support/PrismOracle.h"
+#include "support/Seabeds.h"
+
+#include <seahex/planning/DiveSetup.h>
+#include <seahex/planning/DiveStates.h>
+#include <seahex/planning/PrismAStar.h>
+#include <seahex/planning/SeabedMotionValidator.h>
+#include <seahex/planning/SeabedValidityChecker.h>
+#include <seahex/search/PrismMoves.h>
+
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/util/Console.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ob = ompl::base;
+
+namespace seahex::test
+{
+namespace
+{
+
+/// The seabed's own checker behind another face: a problem that must be asked.
+class AskedValidityChecker : public SeabedValidityChecker
+{
+public:
+    using SeabedValidityChecker::SeabedValidityChecker;
+};
+
+ob::SpaceInformationPtr waterOf(const std::shared_ptr<const DiveArena> &arena, bool mustBeAsked = false)
+{
+    ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
+    auto si = std::make_shared<ob::SpaceInformation>(diveSpace(*arena));
+    if (mustBeAsked)
+        si->setStateValidityChecker(std::make_shared<AskedValidityChecker>(si, arena));
+    else
+        si->setStateValidityChecker(std::make_shared<SeabedValidityChecker>(si, arena));
+    si->setMotionValidator(std::make_shared<SeabedMotionValidator>(si, arena));
+    si->setup();
+    return si;
+}
+
+/// A random seabed with or without columns that are kept out of, and how to plan on it.
+struct World
+{
+    std::shared_ptr<const DiveArena> arena;
+    Point3 start;
+    Point3 goal;
+    int rings;
+    double climb;
+
+    explicit World(Random &random, std::int64_t across = 14)
+    {
+        const auto seabed = randomSeabed(random, across, across, random.chance(0.5) ? 0.02 : 0.0);
+        std::shared_ptr<const Occupancy> keepOut;
+        const Box &box = seabed->grid().bounds();
+        const double widest = (box.max - box.min).maxCoeff();
+        if (random.chance(0.5))
+            keepOut = randomOccupancy(random, HexLattice::covering(box, widest / 25.0), 0.05);
+        arena = std::make_shared<const DiveArena>(seabed, DiveLimits{random.real(0.5, 5.0), random.real(0.0, 3.0)},
+                                                  keepOut);
+        start = freePosition(random, *arena);
+        goal = freePosition(random, *arena);
+        rings = static_cast<int>(random.integer(1, 3));
+        climb = random.chance(0.4) ? 0.0 : random.real(0.05, 0.6);
+    }
+    double cellSize() const { return (arena->highest() - arena->lowest()).head<2>().maxCoeff() / 11.0; }
+    std::shared_ptr<PrismAStar> planner(const ob::SpaceInformationPtr &si) const
+    {
+        auto planner = std::make_shared<PrismAStar>(si);
+        planner->setRings(static_cast<unsigned int>(rings));
+        planner->setClimb(climb);
+        planner->setCellSize(cellSize());
+        planner->setLayerThickness(std::min(6.0, climb == 0.0 ? 6.0 : climb * cellSize()));
+        planner->setSmoothing(false);
+        return planner;
+    }
+    /// Of the lattice that the planner searched last.
+    double optimum(const PrismLattice &lattice) const
+    {
+        const PrismOracle oracle{lattice, rings, climb,
+                                 [this](const Point3 &a, const Point3 &b)
+                                 {
+                                     return arena->isFree(a, b);
+                                 }};
+        const double run = climb == 0.0 ? 0.0 : lattice.thickness() / climb / lattice.pitch();
+        const int steps = std::max(1, static_cast<int>(std::ceil(run)));
+        return oracle.graph().cheapest(oracle.joints(start, steps, true), oracle.joints(goal, steps, false));
+    }
+    void expectSound(const std::vector<Point3> &path) const
+    {
+        ASSERT_GE(path.size(), 2u);
+        EXPECT_EQ(path.front(), start);
+        EXPECT_EQ(path.back(), goal);
+        for (std::size_t i = 1; i < path.size(); ++i)
+        {
+            const Point3 by = path[i] - path[i - 1];
+            if (climb > 0.0)
+            {
+                EXPECT_LE(std::abs(by.z()), climb * std::hypot(by.x(), by.y()) * (1.0 + 1e-8));
+            }
+            for (int k = 0; k <= 500; ++k)
+            {
+                const Point3 p = path[i - 1] + (k / 500.0) * by;
+                ASSERT_GE(arena->seabed()->depthAt(horizontal(p)) - p.z(), arena->limits().clearanceM);
+                ASSERT_GE(p.z(), arena->limits().ceilingM - 1e-9);
+                if (arena->keepOut() != nullptr)
+                {
+                    ASSERT_TRUE(arena->keepOut()->isFree(
+                        toOffset(arena->keepOut()->lattice().hexagons()->cellAt(horizontal(p)))));
+                }
+            }
+        }
+    }
+};
+
+TEST(PrismAStar, FindsTheOptimumOfItsLattice)
+{
+    int found = 0;
+    int lost = 0;
+    int straight = 0;
+    forEachSeed(150,
+                [&](Random &random)
+                {
+                    const World world(random);
+                    const auto si = waterOf(world.arena);
+                    const auto planner = world.planner(si);
+                    const auto problem = dive(si, world.start, {world.goal});
+                    const auto status = solve(*planner, problem);
+                    if (isClimbable(world.goal - world.start, world.climb) &&
+                        world.arena->isFree(world.start, world.goal))
+                    {
+                        ++straight;
+                        EXPECT_EQ(solutionOf(problem), (std::vector<Point3>{world.start, world.goal}));
+                        return;
+                    }
+                    ASSERT_TRUE(planner->lattice());
+                    const double optimum = world.optimum(*planner->lattice());
+                    if (status != ob::PlannerStatus::EXACT_SOLUTION)
+                    {
+                        ++lost;
+                        EXPECT_EQ(status, ob::PlannerStatus::TIMEOUT);
+                        EXPECT_EQ(planner->outcome(), PlanningOutcome::Exhausted);
+                        EXPECT_TRUE(std::isinf(optimum));
+                        return;
+                    }
+                    ++found;
+                    EXPECT_EQ(planner->outcome(), PlanningOutcome::Found);
+                    EXPECT_NEAR(lengthOf(solutionOf(problem)), optimum, 1e-6 * optimum);
+                    EXPECT_TRUE(problem->getSolutionPath()->check());
+                    world.expectSound(solutionOf(problem));
+                });
+    EXPECT_GT(found, 50);
+    EXPECT_GT(lost, 5);
+    EXPECT_GT(straight, 5);
+}
+
+TEST(PrismAStar, AskedOrReadTheLatticeIsTheSame)
+{
+    int found = 0;
+    forEachSeed(40,
+                [&](Random &random)
+                {
+                    const World world(random);
+                    // both have the same layers: from the ceiling to the deeper end
+                    const auto read = waterOf(world.arena);
+                    const auto asked = waterOf(world.arena, true);
+                    auto bounds = static_cast<const ob::RealVectorStateSpace &>(*read->getStateSpace()).getBounds();
+                    bounds.setHigh(2, std::max(world.start.z(), world.goal.z()));
+                    for (const auto &si : {read, asked})
+                        si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
+                    const auto first = dive(read, world.start, {world.goal});
+                    const auto second = dive(asked, world.start, {world.goal});
+                    const auto status = solve(*world.planner(read), first);
+                    ASSERT_EQ(solve(*world.planner(asked), second), status);
+                    found += status == ob::PlannerStatus::EXACT_SOLUTION ? 1 : 0;
+                    EXPECT_EQ(solutionOf(first), solutionOf(second));
+                });
+    EXPECT_GT(found, 10);
+}
+
+TEST(PrismAStar, PulledTautItIsShorterAndAsSound)
+{
+    int shorter = 0;
+    forEachSeed(60,
+                [&](Random &random)
+                {
+                    const World world(random);
+                    const auto si = waterOf(world.arena);
+                    const auto planner = world.planner(si);
+                    const auto plain = dive(si, world.start, {world.goal});
+                    if (solve(*planner, plain) != ob::PlannerStatus::EXACT_SOLUTION)
+                        return;
+                    planner->setSmoothing(true);
+                    const auto taut = dive(si, world.start, {world.goal});
+                    ASSERT_EQ(solve(*planner, taut), ob::PlannerStatus::EXACT_SOLUTION);
+                    EXPECT_LE(lengthOf(solutionOf(taut)), lengthOf(solutionOf(plain)) * (1.0 + 1e-12));
+                    shorter += lengthOf(solutionOf(taut)) < 0.999 * lengthOf(solutionOf(plain)) ? 1 : 0;
+                    EXPECT_TRUE(taut->getSolutionPath()->check());
+                    world.expectSound(solutionOf(taut));
+                });
+    EXPECT_GT(shorter, 20);
+}
+
+TEST(PrismAStar, InterruptedItComesToTheSameAnswer)
+{
+    forEachSeed(12,
+                [](Random &random)
+                {
+                    const World world(random);
+                    for (const bool mustBeAsked : {false, true})
+                    {
+                        const auto si = waterOf(world.arena, mustBeAsked);
+                        const auto whole = dive(si, world.start, {world.goal});
+                        const auto planner = world.planner(si);
+                        planner->setSmoothing(true);
+                        const auto status = solve(*planner, whole);
+                        const auto pieces = dive(si, world.start, {world.goal});
+                        planner->setProblemDefinition(pieces);
+                        int calls = 0;
+                        do
+                        {
+                            ob::IterationTerminationCondition few(static_cast<unsigned int>(random.integer(2, 30)));
+                            planner->solve(ob::PlannerTerminationCondition(few));
+                        } while (++calls < 1000000 && (planner->outcome() == PlanningOutcome::OutOfTime ||
+                                                       planner->outcome() == PlanningOutcome::Improvable));
+                        EXPECT_EQ(planner->outcome() == PlanningOutcome::Found,
+                                  status == ob::PlannerStatus::EXACT_SOLUTION);
+                        EXPECT_EQ(solutionOf(pieces), solutionOf(whole));
+                    }
+                });
+}
+
+}  // namespace
+}  // namespace seahex::test
