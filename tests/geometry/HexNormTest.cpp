@@ -40,7 +40,7 @@ TEST(HexNorm, ringNormIsTheCostOfTheCheapestChainOfJumps)
         const OpenWindow window = openWindow(rings);
         for (std::int64_t q = -16; q <= 16; ++q)
             for (std::int64_t s = -16; s <= 16; ++s)
-                ASSERT_NEAR(ringNorm({q, s}, rings), window.costTo(q, s), 1e-9)
+                ASSERT_NEAR(ringNorm(HexCoord{q, s}, rings), window.costTo(q, s), 1e-9)
                     << "rings " << rings << ", difference " << q << ", " << s;
     }
 }

@@ -133,11 +133,11 @@ TEST(HexAStarShortening, OneRingFirstTakesNothingFromTheSearchWithAll)
                         });
                     world.si->setup();
                     const auto plain = planner(world.problem, false, false);
-                    const ob::PlannerStatus::StatusType status = plain->solve(5.0);
+                    const ob::PlannerStatus::StatusType status = plain->solve(300.0);
                     const double cost = pathOf(world.problem) ? pathOf(world.problem)->length() : 0.0;
                     world.problem->clearSolutionPaths();
                     const auto anytime = planner(world.problem, true, false);
-                    const ob::PlannerStatus::StatusType same = anytime->solve(5.0);
+                    const ob::PlannerStatus::StatusType same = anytime->solve(300.0);
                     if (status == ob::PlannerStatus::EXACT_SOLUTION)
                     {
                         ++found;
