@@ -1,6 +1,7 @@
 #include <seahex/io/BathymetryReader.h>
 #include <seahex/planning/DiveSetup.h>
 #include <seahex/planning/DiveStates.h>
+#include <seahex/planning/PrismAStar.h>
 
 #include "support/DiveJudge.h"
 #include "support/Seabeds.h"
@@ -34,7 +35,8 @@ Maker maker()
     };
 }
 
-const std::vector<Maker> makers = {maker<og::RRTstar>(), maker<og::PRMstar>(), maker<og::BITstar>()};
+const std::vector<Maker> makers = {maker<og::RRTstar>(), maker<og::PRMstar>(), maker<og::BITstar>(),
+                                   maker<PrismAStar>()};
 
 struct Voyage
 {
@@ -96,7 +98,7 @@ void diveOn(const std::filesystem::path &folder, const Voyage &voyage)
     }
 }
 
-TEST(DivePlanners, ofOmplPassTheJudgeOfRealSeabeds)
+TEST(DivePlanners, passTheJudgeOfRealSeabeds)
 {
     SEAHEX_TEST_DATA_OR_SKIP(folder, "bathymetry");
     // From the Balearics to the Tyrrhenian, past Sardinia: more than 1,000 cells.
@@ -135,7 +137,7 @@ TEST(DiveJudge, findsWhatIsWrong)
 }
 
 // On random seabeds of our own, judged by the surface itself at a tenth of a cell.
-TEST(DivePlanners, ofOmplKeepTheClearanceOnRandomSeabeds)
+TEST(DivePlanners, keepTheClearanceOnRandomSeabeds)
 {
     int dives = 0;
     forEachSeed(4,

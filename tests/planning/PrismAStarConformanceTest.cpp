@@ -19,8 +19,9 @@ PlannerUnderTest prisms(const std::string &name, bool smoothing, double climb)
     planner.make = [=](const ob::SpaceInformationPtr &si)
     {
         auto made = std::make_shared<PrismAStar>(si);
-        made->setCellSize(0.5);
-        made->setLayerThickness(1.0);
+        made->setRings(1);
+        made->setCellSize(1.0);
+        made->setLayerThickness(2.0);
         made->setSmoothing(smoothing);
         made->setClimb(climb);
         return made;

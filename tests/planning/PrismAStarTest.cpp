@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ob = ompl::base;
 
@@ -233,6 +234,130 @@ TEST(PrismAStar, InterruptedItComesToTheSameAnswer)
                         EXPECT_EQ(solutionOf(pieces), solutionOf(whole));
                     }
                 });
+}
+
+/// A seabed of one depth but for walls: nodes of these columns and rows are land.
+std::shared_ptr<const DiveArena> walled(std::int64_t nodes, double depthM,
+                                        const std::function<bool(std::int64_t, std::int64_t)> &isLand)
+{
+    std::vector<float> depths;
+    for (std::int64_t row = 0; row < nodes; ++row)
+        for (std::int64_t column = 0; column < nodes; ++column)
+            depths.push_back(isLand(column, row) ? -5.0f : static_cast<float>(depthM));
+    const NodeGrid grid(Point(0, 0), Point(10, 10), nodes, nodes);
+    return std::make_shared<const DiveArena>(std::make_shared<const Bathymetry>(grid, std::move(depths)),
+                                             DiveLimits{5.0, 1.0});
+}
+
+TEST(PrismAStar, WhereThereIsNoWayItSaysSo)
+{
+    const auto arena = walled(60, 50.0, [](std::int64_t column, std::int64_t) { return column == 30; });
+    for (const bool mustBeAsked : {false, true})
+    {
+        const auto si = waterOf(arena, mustBeAsked);
+        const auto planner = std::make_shared<PrismAStar>(si);
+        planner->setCellSize(20.0);
+        planner->setLayerThickness(10.0);
+        const auto problem = dive(si, {100, 300, 10}, {{500, 300, 20}});
+        for (int i = 0; i < 2; ++i)
+        {
+            EXPECT_EQ(solve(*planner, problem), ob::PlannerStatus::TIMEOUT);
+            EXPECT_EQ(planner->outcome(), PlanningOutcome::Exhausted);
+        }
+        ASSERT_TRUE(planner->lattice());
+        EXPECT_TRUE(planner->lattice()->plane().bounds().contains({1, 1})) << "gave up before all was searched";
+        EXPECT_TRUE(planner->lattice()->plane().bounds().contains({589, 589}));
+    }
+}
+
+/// The only gap lies far outside the first box.
+TEST(PrismAStar, TheBoxGrowsUntilThereIsAWay)
+{
+    const auto arena =
+        walled(300, 50.0, [](std::int64_t column, std::int64_t row) { return column == 30 && row < 290; });
+    const auto si = waterOf(arena);
+    const auto planner = std::make_shared<PrismAStar>(si);
+    const auto far = dive(si, {100, 300, 10}, {{500, 300, 20}});
+    ASSERT_EQ(solve(*planner, far), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_GT(lengthOf(solutionOf(far)), 5200.0);
+    EXPECT_LT(lengthOf(solutionOf(far)), 5400.0);
+    EXPECT_TRUE(far->getSolutionPath()->check());
+    const auto near = dive(si, {100, 2880, 10}, {{500, 2880, 20}});
+    ASSERT_EQ(solve(*planner, near), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_FALSE(planner->lattice()->plane().bounds().contains({1500, 1500})) << "more was searched than had to be";
+}
+
+/// A sill that is passed at 4 m: whoever climbs little needs way for it.
+TEST(PrismAStar, TheClimbIsKeptOverASill)
+{
+    std::vector<float> depths;
+    for (int row = 0; row < 40; ++row)
+        for (int column = 0; column < 100; ++column)
+            depths.push_back(column >= 48 && column <= 52 ? 9.0f : 200.0f);
+    const auto seabed = std::make_shared<const Bathymetry>(NodeGrid({0, 0}, {10, 10}, 100, 40), std::move(depths));
+    const auto arena = std::make_shared<const DiveArena>(seabed, DiveLimits{5.0, 1.0});
+    const auto si = waterOf(arena);
+    const Point3 start(300, 200, 150);
+    const Point3 goal(700, 200, 150);
+    double before = 0.0;
+    for (const double climb : {0.0, 2.0, 0.5, 0.25})
+    {
+        const auto planner = std::make_shared<PrismAStar>(si);
+        planner->setClimb(climb);
+        planner->setCellSize(10.0);
+        const auto problem = dive(si, start, {goal});
+        ASSERT_EQ(solve(*planner, problem), ob::PlannerStatus::EXACT_SOLUTION) << climb;
+        const std::vector<Point3> path = solutionOf(problem);
+        EXPECT_TRUE(problem->getSolutionPath()->check());
+        double steepest = 0.0;
+        for (std::size_t i = 1; i < path.size(); ++i)
+            steepest =
+                std::max(steepest, std::abs(path[i].z() - path[i - 1].z()) / (path[i] - path[i - 1]).head<2>().norm());
+        if (climb > 0.0)
+        {
+            EXPECT_LE(steepest, climb * (1.0 + 1e-8));
+            // up by 146 m and down again, as steeply as it can or as the straight way needs
+            const double run = std::max(400.0, 2.0 * 146.0 / climb);
+            EXPECT_GE(lengthOf(path), std::hypot(run, 2.0 * 146.0) * (1.0 - 1e-6));
+        }
+        EXPECT_GT(lengthOf(path), before);
+        before = lengthOf(path) * 0.999;
+    }
+}
+
+TEST(PrismAStar, AcrossALargeSeabed)
+{
+    // ridges that are passed through gaps now north, now south
+    const auto arena = walled(1500, 80.0,
+                              [](std::int64_t column, std::int64_t row)
+                              {
+                                  const std::int64_t ridge = column / 100;
+                                  return column % 100 < 10 && ridge > 0 && (ridge % 2 == 0 ? row < 800 : row > 700);
+                              });
+    const auto si = waterOf(arena);
+    const auto planner = std::make_shared<PrismAStar>(si);
+    planner->setClimb(0.3);
+    const auto problem = dive(si, {2500, 7500, 30}, {{12500, 7500, 60}});
+    ASSERT_EQ(solve(*planner, problem), ob::PlannerStatus::EXACT_SOLUTION);
+    EXPECT_TRUE(problem->getSolutionPath()->check());
+    EXPECT_GT(lengthOf(solutionOf(problem)), 10000.0);
+    EXPECT_LT(lengthOf(solutionOf(problem)), 20000.0);
+    EXPECT_LT(planner->lattice()->plane().cellCount(), 60000);
+}
+
+TEST(PrismAStar, TooManyNodesAreNotSearched)
+{
+    const auto arena = walled(60, 50.0, [](std::int64_t column, std::int64_t) { return column == 30; });
+    const auto si = waterOf(arena);
+    const auto planner = std::make_shared<PrismAStar>(si);
+    for (const double thickness : {0.0, 1e-4})
+    {
+        planner->setCellSize(thickness > 0.0 ? 20.0 : 0.01);
+        planner->setLayerThickness(thickness);
+        EXPECT_EQ(solve(*planner, dive(si, {100, 300, 10}, {{500, 300, 20}})), ob::PlannerStatus::TIMEOUT);
+        EXPECT_EQ(planner->outcome(), PlanningOutcome::Exhausted);
+        EXPECT_FALSE(planner->lattice());
+    }
 }
 
 }  // namespace
