@@ -110,3 +110,16 @@ TEST(HexNorm, hexNormIsANormOfThePlane)
         ASSERT_LE(hexNorm(u, lattice), u.norm() / lattice.pitch() * 2.0 / std::sqrt(3.0) + 1e-12);
     }
 }
+
+TEST(HexNorm, ringNormOfAVectorIsThatOfTheCellsBetween)
+{
+    const HexLattice lattice(Point(0, 0), 1.0, 1, 1);
+    for (const int rings : {1, 2, 3})
+        for (std::int64_t q = -12; q <= 12; ++q)
+            for (std::int64_t s = -12; s <= 12; ++s)
+            {
+                const Point vector = lattice.centre({q, s}) - lattice.centre({0, 0});
+                EXPECT_NEAR(ringNorm(vector, rings), ringNorm(HexCoord{q, s}, rings), 1e-12);
+                EXPECT_NEAR(ringNorm(Point(0.37 * vector), rings), 0.37 * ringNorm(HexCoord{q, s}, rings), 1e-12);
+            }
+}

@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <optional>
 
 namespace ob = ompl::base;
 
@@ -80,17 +82,26 @@ struct World
         planner->setSmoothing(false);
         return planner;
     }
-    /// Of the lattice that the planner searched last.
+    /// On the lattice that the planner searched last; on any if it searched none.
+    PrismOracle oracle(const std::optional<PrismLattice> &lattice) const
+    {
+        const HexLattice any(Point(0, 0), cellSize(), 1, 1);
+        return {lattice ? *lattice : PrismLattice(any, 0.0, 1.0, 1), rings, climb,
+                [this](const Point3 &a, const Point3 &b)
+                {
+                    return arena->isFree(a, b);
+                }};
+    }
+    int jointSteps(const PrismLattice &lattice) const
+    {
+        const double run = climb == 0.0 ? 0.0 : lattice.thickness() / climb / lattice.pitch();
+        return std::max(1, static_cast<int>(std::ceil(run)));
+    }
     double optimum(const PrismLattice &lattice) const
     {
-        const PrismOracle oracle{lattice, rings, climb,
-                                 [this](const Point3 &a, const Point3 &b)
-                                 {
-                                     return arena->isFree(a, b);
-                                 }};
-        const double run = climb == 0.0 ? 0.0 : lattice.thickness() / climb / lattice.pitch();
-        const int steps = std::max(1, static_cast<int>(std::ceil(run)));
-        return oracle.graph().cheapest(oracle.joints(start, steps, true), oracle.joints(goal, steps, false));
+        const PrismOracle prisms = oracle(lattice);
+        const int steps = jointSteps(lattice);
+        return prisms.graph().cheapest(prisms.joints(start, steps, true), prisms.joints(goal, steps, false));
     }
     void expectSound(const std::vector<Point3> &path) const
     {
@@ -207,33 +218,94 @@ TEST(PrismAStar, PulledTautItIsShorterAndAsSound)
     EXPECT_GT(shorter, 20);
 }
 
+TEST(PrismAStar, TheBestPairOfStartAndGoalWins)
+{
+    int searched = 0;
+    int others = 0;
+    forEachSeed(80,
+                [&](Random &random)
+                {
+                    const World world(random);
+                    const auto nearby = [&](const Point3 &p)
+                    {
+                        const double across = 0.2 * world.cellSize();
+                        const Point3 by(random.real(-across, across), random.real(-across, across),
+                                        random.real(-0.5, 0.0));
+                        return world.arena->isFree(p + by) ? Point3(p + by) : p;
+                    };
+                    const std::vector<Point3> starts = {world.start, nearby(world.start)};
+                    const std::vector<Point3> goals = {world.goal, nearby(world.goal)};
+                    const auto si = waterOf(world.arena);
+                    const auto problem = dive(si, starts[0], goals);
+                    problem->addStartState(stateAt(si, starts[1]));
+                    const auto planner = world.planner(si);
+                    const auto status = solve(*planner, problem);
+                    const PrismOracle oracle = world.oracle(planner->lattice());
+                    double best = std::numeric_limits<double>::infinity();
+                    std::vector<ExplicitGraph::Terminal> entries;
+                    std::vector<ExplicitGraph::Terminal> exits;
+                    for (int i = 0; i < 2; ++i)
+                    {
+                        for (const Point3 &goal : goals)
+                            if (oracle.isMotion(starts[i], goal))
+                                best = std::min(best, (goal - starts[i]).norm());
+                        for (const auto &joint : oracle.joints(starts[i], world.jointSteps(oracle.lattice), true))
+                            entries.push_back(joint);
+                        for (const auto &joint : oracle.joints(goals[i], world.jointSteps(oracle.lattice), false))
+                            exits.push_back(joint);
+                    }
+                    if (planner->lattice())
+                    {
+                        ++searched;
+                        best = std::min(best, oracle.graph().cheapest(entries, exits));
+                    }
+                    ASSERT_EQ(status == ob::PlannerStatus::EXACT_SOLUTION, best < 1e9);
+                    if (status != ob::PlannerStatus::EXACT_SOLUTION)
+                        return;
+                    const std::vector<Point3> path = solutionOf(problem);
+                    EXPECT_NEAR(lengthOf(path), best, 1e-6 * best);
+                    EXPECT_TRUE(problem->getSolutionPath()->check());
+                    others += path.front() != starts[0] || path.back() != goals[0] ? 1 : 0;
+                });
+    EXPECT_GT(searched, 30);
+    EXPECT_GT(others, 10);
+}
+
 TEST(PrismAStar, InterruptedItComesToTheSameAnswer)
 {
-    forEachSeed(12,
-                [](Random &random)
+    int searched = 0;
+    forEachSeed(50,
+                [&](Random &random)
                 {
                     const World world(random);
                     for (const bool mustBeAsked : {false, true})
-                    {
-                        const auto si = waterOf(world.arena, mustBeAsked);
-                        const auto whole = dive(si, world.start, {world.goal});
-                        const auto planner = world.planner(si);
-                        planner->setSmoothing(true);
-                        const auto status = solve(*planner, whole);
-                        const auto pieces = dive(si, world.start, {world.goal});
-                        planner->setProblemDefinition(pieces);
-                        int calls = 0;
-                        do
+                        for (const bool smoothing : {false, true})
                         {
-                            ob::IterationTerminationCondition few(static_cast<unsigned int>(random.integer(2, 30)));
-                            planner->solve(ob::PlannerTerminationCondition(few));
-                        } while (++calls < 1000000 && (planner->outcome() == PlanningOutcome::OutOfTime ||
-                                                       planner->outcome() == PlanningOutcome::Improvable));
-                        EXPECT_EQ(planner->outcome() == PlanningOutcome::Found,
-                                  status == ob::PlannerStatus::EXACT_SOLUTION);
-                        EXPECT_EQ(solutionOf(pieces), solutionOf(whole));
-                    }
+                            const auto si = waterOf(world.arena, mustBeAsked);
+                            const auto whole = dive(si, world.start, {world.goal});
+                            const auto planner = world.planner(si);
+                            planner->setSmoothing(smoothing);
+                            const auto status = solve(*planner, whole);
+                            searched += planner->lattice() ? 1 : 0;
+                            const std::uint64_t expanded = planner->counters().expanded;
+                            const std::uint64_t generated = planner->counters().generated;
+                            const auto pieces = dive(si, world.start, {world.goal});
+                            planner->setProblemDefinition(pieces);
+                            int calls = 0;
+                            do
+                            {
+                                ob::IterationTerminationCondition few(static_cast<unsigned int>(random.integer(2, 5)));
+                                planner->solve(ob::PlannerTerminationCondition(few));
+                            } while (++calls < 1000000 && (planner->outcome() == PlanningOutcome::OutOfTime ||
+                                                           planner->outcome() == PlanningOutcome::Improvable));
+                            EXPECT_EQ(planner->outcome() == PlanningOutcome::Found,
+                                      status == ob::PlannerStatus::EXACT_SOLUTION);
+                            EXPECT_EQ(solutionOf(pieces), solutionOf(whole));
+                            EXPECT_EQ(planner->counters().expanded, expanded);
+                            EXPECT_EQ(planner->counters().generated, generated);
+                        }
                 });
+    EXPECT_GT(searched, 60);
 }
 
 /// A seabed of one depth but for walls: nodes of these columns and rows are land.
