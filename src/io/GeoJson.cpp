@@ -2,6 +2,7 @@
 
 #include "PartFile.h"
 #include "chart/GdalDataset.h"
+#include "seahex/geometry/Point3.h"
 
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
@@ -25,28 +26,36 @@ namespace
     throw PartFile::Failure(reason);
 }
 
-using Pieces = std::vector<std::vector<Point>>;
+/// Longitude, latitude, height; the last is 0 at the surface.
+using Pieces = std::vector<std::vector<Point3>>;
 
 /// Adds a leg that touches the antimeridian at most with its ends; its longitudes are brought to its own side.
-void addUncut(Pieces &pieces, const Point &from, const Point &to)
+void addUncut(Pieces &pieces, const Point3 &from, const Point3 &to)
 {
-    const Point turn(360.0 * std::floor((0.5 * (from.x() + to.x()) + 180.0) / 360.0), 0.0);
+    const Point3 turn(360.0 * std::floor((0.5 * (from.x() + to.x()) + 180.0) / 360.0), 0.0, 0.0);
     const bool joins = !pieces.empty() && (pieces.back().back() - (from - turn)).norm() < 1e-9;  // but for rounding
     if (!joins)
         pieces.push_back({from - turn});
     pieces.back().push_back(to - turn);
 }
 
-void addLeg(Pieces &pieces, const Point &from, Point to)
+void addLeg(Pieces &pieces, const Point3 &from, Point3 to)
 {
     to.x() += 360.0 * std::round((from.x() - to.x()) / 360.0);
     const double border = to.x() > from.x() ? 180.0 : -180.0;
     if ((to.x() - border) * (from.x() - border) >= 0.0)
         return addUncut(pieces, from, to);
     const double t = (border - from.x()) / (to.x() - from.x());
-    const Point cut(border, from.y() + t * (to.y() - from.y()));
+    Point3 cut = from + t * (to - from);
+    cut.x() = border;
     addUncut(pieces, from, cut);
     addUncut(pieces, cut, to);
+}
+
+Point3 lonLatHeight(const GeoRoute &route, std::size_t i)
+{
+    const GeoPoint p = writtenPosition(route.waypoints[i]);
+    return {p.longitudeDeg(), p.latitudeDeg(), route.depthsM.empty() ? 0.0 : -route.depthsM[i]};
 }
 
 /// The route as pieces that don't cross the antimeridian. (OGR's own cutting would dissolve a line that crosses
@@ -54,24 +63,22 @@ void addLeg(Pieces &pieces, const Point &from, Point to)
 Pieces cutAtAntimeridian(const GeoRoute &route)
 {
     Pieces pieces;
-    GeoPoint from = writtenPosition(route.waypoints.front());
     for (std::size_t i = 1; i < route.waypoints.size(); ++i)
-    {
-        const GeoPoint to = writtenPosition(route.waypoints[i]);
-        addLeg(pieces, Point(from.longitudeDeg(), from.latitudeDeg()), Point(to.longitudeDeg(), to.latitudeDeg()));
-        from = to;
-    }
+        addLeg(pieces, lonLatHeight(route, i - 1), lonLatHeight(route, i));
     return pieces;
 }
 
 std::unique_ptr<OGRGeometry> lineOf(const GeoRoute &route)
 {
     auto lines = std::make_unique<OGRMultiLineString>();
-    for (const std::vector<Point> &piece : cutAtAntimeridian(route))
+    for (const std::vector<Point3> &piece : cutAtAntimeridian(route))
     {
         auto line = std::make_unique<OGRLineString>();
-        for (const Point &p : piece)
-            line->addPoint(p.x(), p.y());
+        for (const Point3 &p : piece)
+            if (route.depthsM.empty())
+                line->addPoint(p.x(), p.y());
+            else
+                line->addPoint(p.x(), p.y(), p.z());
         lines->addGeometryDirectly(line.release());
     }
     if (lines->getNumGeometries() > 1)
@@ -168,6 +175,8 @@ void addFields(FeatureWriter &writer, const RouteFileContent &content)
     writer.addField("index", OFTInteger64);
     writer.addField("course_deg", OFTReal);
     writer.addField("leg_length_m", OFTReal);
+    if (content.route != nullptr && !content.route->depthsM.empty())
+        writer.addField("depth_m", OFTReal);
     for (const char *coordinate : {"q", "r", "s", "column", "row"})
         writer.addField(coordinate, OFTInteger64);
     for (const auto &[name, value] : content.numbers)
@@ -203,7 +212,13 @@ void writeWaypoints(FeatureWriter &writer, const GeoRoute &route)
                 feature->SetField("course_deg", std::fmod(rounded(leg.courseDeg), 360.0));
             feature->SetField("leg_length_m", rounded(leg.lengthM));
         }
-        writer.write(*feature, std::make_unique<OGRPoint>(here.longitudeDeg(), here.latitudeDeg()));
+        auto point = std::make_unique<OGRPoint>(here.longitudeDeg(), here.latitudeDeg());
+        if (!route.depthsM.empty())
+        {
+            feature->SetField("depth_m", rounded(route.depthsM[i]));
+            point->setZ(-route.depthsM[i]);
+        }
+        writer.write(*feature, std::move(point));
     }
 }
 
@@ -245,6 +260,10 @@ void requireWritable(const RouteFileContent &content)
     for (const GeoRoute *line : {content.route, content.rawPath})
         if (line != nullptr && line->waypoints.size() < 2)
             failBecause("a line of " + std::to_string(line->waypoints.size()) + " waypoints is none");
+    for (const GeoRoute *line : {content.route, content.rawPath})
+        if (line != nullptr && !line->depthsM.empty() && line->depthsM.size() != line->waypoints.size())
+            failBecause(std::to_string(line->depthsM.size()) + " depths are not those of " +
+                        std::to_string(line->waypoints.size()) + " waypoints");
     if (content.blocked != nullptr && content.projection == nullptr)
         failBecause("blocked cells need a projection");
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "PictureFormat.h"
+
 #include "seahex/io/PictureFrame.h"
 #include "seahex/io/PicturePalette.h"
 
@@ -10,12 +12,6 @@
 
 namespace seahex
 {
-
-enum class PictureFormat
-{
-    Png,
-    Svg
-};
 
 /// How a piece of text sits at its point.
 struct TextStyle

@@ -3,13 +3,13 @@
 #include "CellCorners.h"
 #include "PictureCells.h"
 #include "PictureMap.h"
+#include "PictureTitle.h"
 
 #include "seahex/io/ScaleBar.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 
 namespace seahex
 {
@@ -17,8 +17,6 @@ namespace seahex
 namespace
 {
 
-constexpr double left = 116.0;
-constexpr double right = 1556.0;
 constexpr double scaleBarWidth = 300.0;
 constexpr double legendLeft = 500.0;
 constexpr double entryWidth = 268.0;  // a long text takes the room of two
@@ -36,14 +34,6 @@ TextStyle aligned(TextStyle style, double align)
     return style;
 }
 
-// The style, made smaller until the text fits the room: hinted letters don't shrink as evenly as their size.
-TextStyle fitted(PictureCanvas &canvas, const std::string &text, TextStyle style, double room)
-{
-    for (double width = canvas.textWidth(text, style); width > room; width = canvas.textWidth(text, style))
-        style.size *= std::min(room / width, 0.98);
-    return style;
-}
-
 // 12345 -> "12,345"
 std::string grouped(std::size_t number)
 {
@@ -55,7 +45,7 @@ std::string grouped(std::size_t number)
 
 void drawScaleBar(PictureCanvas &canvas, double top, const ScaleBar &bar)
 {
-    const double from = canvas.units(left);
+    const double from = canvas.units(pictureLeft);
     const double whole = bar.lengthM / canvas.frame().metresPerPx;
     const double height = canvas.units(6.0);
     const double part = whole / bar.parts;
@@ -201,20 +191,6 @@ std::vector<Entry> entriesFor(const PictureContent &content)
 
 }  // namespace
 
-void drawTitle(PictureCanvas &canvas, const PictureContent &content)
-{
-    std::istringstream lines(content.title);
-    std::string line;
-    double baseline = 26.0 + 24.0;
-    for (bool first = true; std::getline(lines, line); first = false)
-    {
-        const TextStyle style{first ? 27.0 : 18.0, first, false, 0.0, palette::ink};
-        canvas.text({canvas.units(left), canvas.units(baseline)}, line,
-                    fitted(canvas, line, style, canvas.units(right - left)));
-        baseline += first ? 29.0 : 25.0;
-    }
-}
-
 void drawLegend(PictureCanvas &canvas, const PictureContent &content)
 {
     const PictureFrame &frame = canvas.frame();
@@ -233,11 +209,11 @@ void drawLegend(PictureCanvas &canvas, const PictureContent &content)
         const Point size{canvas.units(entry.swatch), canvas.units(18.0)};
         entry.draw(canvas, {corner, corner + size});
         canvas.text({corner.x() + size.x() + canvas.units(textGap), corner.y() + canvas.units(14.0)}, entry.text,
-                    fitted(canvas, entry.text, small, static_cast<double>(taken) * entryRoom - beside));
+                    fittedStyle(canvas, entry.text, small, static_cast<double>(taken) * entryRoom - beside));
         place += taken;
     }
     if (!content.footer.empty())
-        canvas.text({canvas.units(left), frame.heightPx - canvas.units(18.0)}, content.footer,
+        canvas.text({canvas.units(pictureLeft), frame.heightPx - canvas.units(18.0)}, content.footer,
                     {14.0, false, true, 0.0, palette::ink});
 }
 

@@ -43,13 +43,17 @@ struct RouteFileContent
 ///
 /// The word is the property `kind`.
 ///
+/// A dive's positions have a third coordinate, minus the depth to the millimetre (RFC 7946 calls it a height above the
+/// ellipsoid; here it counts from the datum of depths), and its waypoints a `depth_m`.
+///
 /// Positions have positionDecimals, longitudes lie in [-180, 180]. Lines and cells across the antimeridian are cut
 /// there, as the RFC asks, and become a MultiLineString or MultiPolygon. The last waypoint has no course and length;
 /// one at the place of the next has no course.
 ///
 /// The file appears complete or not at all: it is written beside its place and renamed.
 ///
-/// @throws WriteError if the file can't be written, a line has fewer than two waypoints, blocked cells come without a
+/// @throws WriteError if the file can't be written, a line has fewer than two waypoints or a depth for some of
+///         them only, blocked cells come without a
 ///         projection or reach where it has no positions, or a number or text bears the name of another property
 void writeGeoJson(const std::string &path, const RouteFileContent &content);
 

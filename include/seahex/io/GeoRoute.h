@@ -15,6 +15,7 @@ namespace seahex
 struct GeoRoute
 {
     std::vector<GeoPoint> waypoints;
+    std::vector<double> depthsM = {};  ///< of a dive: of each waypoint, linear between them; empty at the surface
 };
 
 /// How far the readings of a written leg may lie from the line that was checked, metres.
