@@ -59,7 +59,7 @@ std::string joined(const std::vector<std::string> &names)
 void declare(CLI::App &app, Options &o, Texts &t)
 {
     app.footer(footer);
-    demos::declareChart(app, o);
+    demos::declareChart(app, o.charts);
     demos::declareVesselAndPitch(app, o, "metres");
     app.add_option("--planners", o.planners, "which planners, separated by commas: " + joined(rosterNames()) + " [all]")
         ->delimiter(',')

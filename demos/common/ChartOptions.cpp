@@ -23,9 +23,9 @@ double parsePitch(const std::string &text)
 
 }  // namespace
 
-void declareChart(CLI::App &app, ChartOptions &options)
+void declareChart(CLI::App &app, std::vector<std::string> &charts)
 {
-    app.add_option("--chart", options.charts,
+    app.add_option("--chart", charts,
                    "S-57 cell (.000; updates beside it are applied), folder of cells, or any OGR source whose "
                    "layers bear S-57 names; several may be given")
         ->type_name("FILE|FOLDER...");

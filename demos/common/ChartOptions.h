@@ -23,7 +23,7 @@ struct ChartOptions
 };
 
 /// Declares --chart.
-void declareChart(CLI::App &app, ChartOptions &options);
+void declareChart(CLI::App &app, std::vector<std::string> &charts);
 
 /// Declares --draught, --ukc, --margin and --pitch.
 /// @param pitchUnit  "metres", and what else it may be

@@ -44,7 +44,7 @@ struct Texts
 void declare(CLI::App &app, Options &o, Texts &t)
 {
     app.footer(footer);
-    demos::declareChart(app, o);
+    demos::declareChart(app, o.charts);
     app.add_option("--from", t.from, "start: latitude,longitude in degrees or degrees and minutes")
         ->type_name("LAT,LON");
     app.add_option("--to", t.to, "goal")->type_name("LAT,LON");
