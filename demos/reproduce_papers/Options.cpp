@@ -17,13 +17,15 @@ namespace
 
 namespace fs = std::filesystem;
 
-const char *const description = "Runs the experiments of [Cheng2020] and [Wang2017] on this project's charts: prints "
-                                "the papers' tables beside its\n"
-                                "own, draws their figures, and tries every claim on random pairs in all headings.";
+const char *const description =
+    "Runs the experiments of [Cheng2020] and [Wang2017] on this project's charts, and that of [Xu] on random "
+    "terrains:\n"
+    "prints the papers' tables beside its own, draws their figures, and tries every claim on random pairs or terrains.";
 
 const char *const footer =
     "[Cheng2020]  doi 10.3969/j.issn.1673-629X.2020.11.007: hexagons, a guide, more neighbours.\n"
     "[Wang2017]   doi 10.1007/978-3-319-65978-7_80: safety weights, pilot quantity, smoothing.\n"
+    "[Xu]         Xu Yanmin, Chang Zheng, Zhao Junchao and others: dives through slices of the water column.\n"
     "Writes the figures and report.json into --out. Random pairs are drawn on the project's two charts and on those "
     "of\n"
     "--charts.\n"
@@ -64,6 +66,8 @@ void check(const Options &o)
         usage("--cells must be 1000 to 1e7, not " + demos::plain(o.claims.cells));
     if (o.claims.threads < 1 || o.claims.threads > 256)
         usage("--threads must be 1 to 256, not " + std::to_string(o.claims.threads));
+    if (o.xu.terrains < 1 || o.xu.terrains > 100000)
+        usage("--terrains must be 1 to 100000, not " + std::to_string(o.xu.terrains));
     if (o.format != "png" && o.format != "svg")
         usage("--format must be png or svg, not '" + o.format + "'");
     if (o.out.empty())
@@ -86,8 +90,11 @@ CommandLine readCommandLine(int argc, const char *const *argv)
     app.add_option("--cells", o.claims.cells, "hexagons over each chart; [Cheng2020] has 22737")
         ->capture_default_str()
         ->type_name("N");
-    app.add_option("--seed", o.claims.seed, "seed of the pairs")->capture_default_str()->type_name("N");
-    app.add_option("--threads", o.claims.threads, "threads for the random pairs")
+    app.add_option("--terrains", o.xu.terrains, "random terrains for the dives of [Xu]")
+        ->capture_default_str()
+        ->type_name("N");
+    app.add_option("--seed", o.claims.seed, "seed of pairs and terrains")->capture_default_str()->type_name("N");
+    app.add_option("--threads", o.claims.threads, "threads for random pairs and terrains")
         ->capture_default_str()
         ->type_name("N");
     app.add_option("--out", o.out, "folder of the figures and report.json")->capture_default_str()->type_name("FOLDER");
@@ -96,6 +103,8 @@ CommandLine readCommandLine(int argc, const char *const *argv)
     if (const auto help = demos::parseCommandLine(app, argc, argv))
         return {std::nullopt, *help};
     check(o);
+    o.xu.seed = o.claims.seed;
+    o.xu.threads = o.claims.threads;
     o.claims.charts = {demos::ownChart("shangchuan.000"), demos::ownChart("sanya.000")};
     for (const std::string &path : charts)
         for (const std::string &chart : chartsAt(path))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ClaimsStudy.h"
+#include "XuStudy.h"
 
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@ namespace reproduce_papers
 struct Options
 {
     ClaimsOptions claims;
+    XuOptions xu;
     std::string out = "reproduction";
     std::string format = "png";
     bool json = false;

@@ -10,6 +10,24 @@ namespace reproduce_papers
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+template <class Write>
+void orFail(const Write &write)
+{
+    try
+    {
+        write();
+    }
+    catch (const seahex::PictureError &error)
+    {
+        throw demos::Failure(demos::Exit::Usage, error.what());
+    }
+}
+
+}  // namespace
+
 Output::Output(const std::string &folder, const std::string &format) : folder_(folder), format_(format)
 {
     std::error_code ignored;
@@ -25,19 +43,23 @@ void Output::makeFolder() const
         throw demos::Failure(demos::Exit::Usage, "--out: the folder " + folder_ + " can't be made: " + error.message());
 }
 
+std::string Output::pathOf(const std::string &figure) const
+{
+    return (fs::path(folder_) / (figure + "." + format_)).string();
+}
+
 void Output::draw(const Figure &figure) const
 {
     makeFolder();
-    const std::string path = (fs::path(folder_) / (figure.name + "." + format_)).string();
-    try
-    {
-        seahex::writePicture(path, figure.content);
-    }
-    catch (const seahex::PictureError &error)
-    {
-        throw demos::Failure(demos::Exit::Usage, error.what());
-    }
-    figures_.push_back(path);
+    orFail([&] { seahex::writePicture(pathOf(figure.name), figure.content); });
+    figures_.push_back(pathOf(figure.name));
+}
+
+void Output::draw(const SeabedFigure &figure) const
+{
+    makeFolder();
+    orFail([&] { seahex::writeSeabedPicture(pathOf(figure.name), figure.content); });
+    figures_.push_back(pathOf(figure.name));
 }
 
 nlohmann::ordered_json Output::writeReport(const std::vector<Table> &tables, const nlohmann::ordered_json &claims) const

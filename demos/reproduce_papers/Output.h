@@ -20,6 +20,7 @@ public:
 
     /// @throws demos::Failure (Exit::Usage) if it can't be written
     void draw(const Figure &figure) const;
+    void draw(const SeabedFigure &figure) const;
 
     /// Writes report.json and returns what it holds.
     /// @throws demos::Failure (Exit::Usage) if it can't be written
@@ -30,6 +31,7 @@ public:
 
 private:
     void makeFolder() const;
+    std::string pathOf(const std::string &figure) const;
 
     std::string folder_;
     std::string format_;

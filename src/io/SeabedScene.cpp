@@ -167,7 +167,9 @@ void SeabedScene::gatherDives()
 void SeabedScene::addLeg(int dive, const Point3 &a, const Point3 &b)
 {
     std::vector<Point3> &line = lines_[static_cast<std::size_t>(dive)];
-    const double face = (box_.max - box_.min).maxCoeff() / mostAcross;
+    const Point extent = box_.max - box_.min;
+    const double face =
+        std::max(extent.x() / static_cast<double>(columns_ - 1), extent.y() / static_cast<double>(rows_ - 1));
     const int count = 1 + static_cast<int>(std::min(horizontal(Point3(b - a)).norm() / (0.5 * face), 1e4));
     if (line.empty())
         line.push_back(a);
