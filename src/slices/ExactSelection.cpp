@@ -97,9 +97,8 @@ bool ExactSelection::lookBack(LegJudge &judge)
 
 void ExactSelection::reach(std::size_t point, double soFar)
 {
-    const bool isEnd = point == 0 || planeOf(point) == lastPlane();
     isReached_[point] = true;
-    soFar_[point] = isEnd ? soFar : soFar + problem().pointCost(planeOf(point), point % frame().cellCount());
+    soFar_[point] = soFar;
     farthest_ = std::max(farthest_, planeOf(point));
     offerNextLeg({-infinity, point, 0});
 }
@@ -147,16 +146,18 @@ SliceSearch::Step ExactSelection::work(LegJudge &judge)
         if (answer == LegJudge::Answer::Interrupted)
             return Step::Interrupted;
         legs_.pop();
-        if (answer == LegJudge::Answer::Valid)
+        if (answer == LegJudge::Answer::Valid && planeOf(leg.to) == lastPlane())
         {
-            parents_[leg.to] = leg.from;
-            reach(leg.to, soFar_[leg.from] + legCost(leg.from, leg.to));
-        }
-        if (isReached_[point(lastPlane(), 0)])
-        {
+            farthest_ = lastPlane();
             isDone_ = true;
             best_ = pathTo(leg.from);
             return Step::Better;
+        }
+        if (answer == LegJudge::Answer::Valid)
+        {
+            parents_[leg.to] = leg.from;
+            const double ownCost = problem().pointCost(planeOf(leg.to), leg.to % frame().cellCount());
+            reach(leg.to, soFar_[leg.from] + legCost(leg.from, leg.to) + ownCost);
         }
         offerNextLeg(leg);
     }
