@@ -40,7 +40,7 @@ double ringNorm(HexCoord difference, int rings)
                   rings);
 }
 
-double ringNorm(const Point &vector, int rings)
+double vectorRingNorm(const Point &vector, int rings)
 {
     static const double rowStep = 0.5 * std::sqrt(3.0);
     const double s = -vector.y() / rowStep;

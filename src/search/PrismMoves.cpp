@@ -39,7 +39,7 @@ PrismMoves::PrismMoves(const PrismLattice &lattice, const CellLayout &layout, in
 double PrismMoves::norm(const Point3 &vector) const
 {
     const double height = std::abs(vector.z()) / pitch_;
-    const double run = std::max(ringNorm(horizontal(vector) / pitch_, rings_), height * leastRun_);
+    const double run = std::max(vectorRingNorm(horizontal(vector) / pitch_, rings_), height * leastRun_);
     const double climbing = std::min(run, height * greatestRun_);
     return std::sqrt(climbing * climbing + height * height) + (run - climbing);
 }

@@ -111,7 +111,7 @@ TEST(HexNorm, hexNormIsANormOfThePlane)
     }
 }
 
-TEST(HexNorm, ringNormOfAVectorIsThatOfTheCellsBetween)
+TEST(HexNorm, vectorRingNormIsThatOfTheCellsBetween)
 {
     const HexLattice lattice(Point(0, 0), 1.0, 1, 1);
     for (const int rings : {1, 2, 3})
@@ -119,7 +119,7 @@ TEST(HexNorm, ringNormOfAVectorIsThatOfTheCellsBetween)
             for (std::int64_t s = -12; s <= 12; ++s)
             {
                 const Point vector = lattice.centre({q, s}) - lattice.centre({0, 0});
-                EXPECT_NEAR(ringNorm(vector, rings), ringNorm(HexCoord{q, s}, rings), 1e-12);
-                EXPECT_NEAR(ringNorm(Point(0.37 * vector), rings), 0.37 * ringNorm(HexCoord{q, s}, rings), 1e-12);
+                EXPECT_NEAR(vectorRingNorm(vector, rings), ringNorm(HexCoord{q, s}, rings), 1e-12);
+                EXPECT_NEAR(vectorRingNorm(Point(0.37 * vector), rings), 0.37 * ringNorm(HexCoord{q, s}, rings), 1e-12);
             }
 }

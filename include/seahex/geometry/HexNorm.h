@@ -24,6 +24,6 @@ double hexNorm(const Point &vector, const HexLattice &lattice);
 double ringNorm(HexCoord difference, int rings);
 
 /// The same extended to vectors of the plane: a vector in pitches, its norm in pitches.
-double ringNorm(const Point &vector, int rings);
+double vectorRingNorm(const Point &vector, int rings);
 
 }  // namespace seahex

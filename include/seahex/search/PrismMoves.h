@@ -54,10 +54,10 @@ public:
 
     /// No chain of moves that adds up to this vector is shorter; in pitches, the vector in metres.
     ///
-    /// Let H be the ring norm (ringNorm) of its plane part, V its height, s the steepest slope of a move (infinite
-    /// where it may go straight up), r the length of the longest jump and t the thickness of a layer. With H' = max(H,
-    /// V / s) and x = min(H', V r / t) the norm is the length of the hypotenuse over x and V, and of the H' - x that
-    /// are left to go in a layer.
+    /// Let H be the ring norm (vectorRingNorm) of its plane part, V its height, s the steepest slope of a move
+    /// (infinite where it may go straight up), r the length of the longest jump and t the thickness of a layer. With H'
+    /// = max(H, V / s) and x = min(H', V r / t) the norm is the length of the hypotenuse over x and V, and of the H' -
+    /// x that are left to go in a layer.
     ///
     /// It is a norm: H and V are seminorms, the maximum of two is one, and the expression is the least of
     /// hypot(x, V) + H' - x over 0 <= x <= min(H', V r / t), convex and homogeneous in (H', V) and growing in both. And
