@@ -5,6 +5,7 @@
 
 #include <seahex/planning/AntColony.h>
 #include <seahex/planning/LayeredPlanner.h>
+#include <seahex/planning/PrismAStar.h>
 
 #include <functional>
 #include <map>
@@ -55,11 +56,18 @@ ob::PlannerPtr makeGreedy(const ob::SpaceInformationPtr &si, const DivePlannerSe
     return makeLayered(si, settings, seahex::LayeredPlanner::Mode::Greedy);
 }
 
-/// This project's, which know dives only. A planner on a prism lattice joins here, with one line.
+ob::PlannerPtr makePrisms(const ob::SpaceInformationPtr &si, const DivePlannerSettings &)
+{
+    return std::make_shared<seahex::PrismAStar>(si);
+}
+
+/// This project's, which know dives only.
 const std::map<std::string, Maker> &ownPlanners()
 {
-    static const std::map<std::string, Maker> planners = {
-        {"AntColony", makeAnts}, {"LayeredPlanner", makeExact}, {"LayeredPlanner-greedy", makeGreedy}};
+    static const std::map<std::string, Maker> planners = {{"AntColony", makeAnts},
+                                                          {"LayeredPlanner", makeExact},
+                                                          {"LayeredPlanner-greedy", makeGreedy},
+                                                          {"PrismAStar", makePrisms}};
     return planners;
 }
 
