@@ -70,8 +70,9 @@ TEST(ReproducePapers, drawsTheFiguresOfBothPapers)
     std::set<std::string> names;
     for (const auto &figure : report().at("figures"))
         names.insert(fs::path(figure.get<std::string>()).stem().string());
-    for (const char *name : {"cheng2020_figure3", "cheng2020_figure4", "cheng2020_figure5", "cheng2020_figure6",
-                             "wang2017_sanya_figure3a", "wang2017_sanya_figure3b", "wang2017_sanya_figure3c"})
+    for (const char *name :
+         {"cheng2020_figure3", "cheng2020_figure4", "cheng2020_figure5", "cheng2020_figure6", "wang2017_sanya_figure3a",
+          "wang2017_sanya_figure3b", "wang2017_sanya_figure3c", "xu_figure"})
         EXPECT_EQ(names.count(name), 1u) << name;
 }
 
@@ -146,6 +147,42 @@ TEST(ReproducePapers, tableOneOfWang)
         }
     EXPECT_LT(valueIn("wang2017_table1_sanya_squares", "sailing distance, NM", "improved, with margin"),
               valueIn("wang2017_table1_sanya_squares", "sailing distance, NM", "A*"));
+}
+
+TEST(ReproducePapers, whatXuSaysOfTheAntsHoldsInTheMedian)
+{
+    for (const char *claim :
+         {"[Xu] length, greedy optimised - ants < 0", "[Xu] course changes, greedy optimised - ants < 0",
+          "[Xu] course angles, greedy optimised - ants < 0"})
+    {
+        EXPECT_GE(valueIn("xu_claims", claim, "terrains"), 40.0) << claim;
+        EXPECT_LT(valueIn("xu_claims", claim, "median"), 0.0) << claim;
+    }
+}
+
+TEST(ReproducePapers, exactSelectionIsNeverWorseAndFindsMoreDives)
+{
+    for (const char *other : {"F, exact - greedy < 0", "F, exact - ants < 0"})
+        EXPECT_EQ(valueIn("xu_claims", other, "holds %") + valueIn("xu_claims", other, "equal %"), 100.0) << other;
+    const auto found = [](const char *method)
+    {
+        return valueIn("xu_methods", "dives found", method);
+    };
+    EXPECT_GT(found("exact"), found("greedy")) << "the published selection walks into dead ends";
+    EXPECT_GE(found("exact"), found("ants"));
+    for (const char *search : {"greedy", "exact", "ants"})
+    {
+        const std::string optimised = std::string(search) + " optimised";
+        EXPECT_EQ(found(search), found(optimised.c_str()));
+        for (const char *row : {"length F1, median", "danger F2, median", "F, median", "course changes, median"})
+            EXPECT_LT(valueIn("xu_methods", row, optimised), valueIn("xu_methods", row, search)) << row;
+    }
+}
+
+TEST(ReproducePapers, whatDoesNotReproduceOfXuIsToldAsSuch)
+{
+    EXPECT_GT(valueIn("xu_claims", "F, greedy - ants < 0", "median"), 0.0);
+    EXPECT_GT(valueIn("xu_claims", "danger, greedy optimised - ants < 0", "median"), 0.0);
 }
 
 /// What reproduces does so in the median on every chart.
