@@ -3,6 +3,7 @@
 #include <seahex/geometry/CellLayout.h>
 #include <seahex/search/OpenList.h>
 #include <seahex/search/SearchCounters.h>
+#include <seahex/search/SearchStatus.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -12,13 +13,6 @@
 
 namespace seahex
 {
-
-enum class SearchStatus
-{
-    Found,      ///< the best path is known
-    Exhausted,  ///< every cell that can be reached was expanded and no goal was among them
-    Stopped     ///< told to stop; call run() again to go on
-};
 
 /// A* over any lattice [Hart1968].
 ///
