@@ -54,7 +54,7 @@ void declare(CLI::App &app, Options &o, Texts &t)
         ->type_name("N");
     app.add_option("--guidance", t.guidance,
                    "what leads the search: none, distance, euclidean, cheng and wang (as published), tie_break "
-                   "or relaxed [relaxed]")
+                   "relaxed or automatic [automatic]")
         ->type_name("NAME");
     app.add_option("--metric", t.metric,
                    "what an edge costs: euclidean (metres) or lattice (steps between cells) [euclidean]")
@@ -168,7 +168,7 @@ void resolve(const CLI::App &app, Options &o, Texts &t)
     o.to = position("--to", t.to);
     demos::resolveVesselAndPitch(o);
     o.smoothing = !t.noSmoothing;
-    const std::string guidance = t.guidance.empty() ? "relaxed" : t.guidance;
+    const std::string guidance = t.guidance.empty() ? "automatic" : t.guidance;
     if (!seahex::guidanceFromString(guidance))
         usage("--guidance must be one of " + seahex::guidanceNames() + ", not '" + guidance + "'");
     o.guidance = *seahex::guidanceFromString(guidance);

@@ -19,7 +19,7 @@ struct Options : demos::ChartOptions
     seahex::GeoPoint from = seahex::GeoPoint::fromLatLon(0.0, 0.0);
     seahex::GeoPoint to = seahex::GeoPoint::fromLatLon(0.0, 0.0);
     int rings = 3;
-    seahex::Guidance guidance = seahex::Guidance::Relaxed;
+    seahex::Guidance guidance = seahex::Guidance::Automatic;
     seahex::LengthMetric metric = seahex::LengthMetric::Euclidean;
     std::string planner = "HexAStar";
     double timeS = 10.0;

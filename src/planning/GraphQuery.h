@@ -12,7 +12,8 @@ namespace seahex
 {
 
 /// A query on a graph of one kind (JumpGraph, MotionGraph) and weight.
-template <class Graph>
+/// @tparam Search  with the functions of AStar that are used here
+template <class Graph, class Search = AStar<Graph>>
 class GraphQuery : public LatticeQuery
 {
 public:
@@ -108,7 +109,7 @@ public:
             {
                 TreeVertex vertex{
                     parts_->layout.offset(cell), centre(cell), 0.0, std::nullopt, nullptr, false, isExpanded};
-                if (arrivedBy == AStar<Graph>::noJump)
+                if (arrivedBy == Search::noJump)
                 {
                     const Joint &joint = parts_->best(parts_->starts, vertex.name.cell);
                     vertex.start = joint.state;
@@ -269,7 +270,7 @@ private:
 
     std::unique_ptr<QueryParts> parts_;
     Graph graph_;
-    AStar<Graph> search_;
+    Search search_;
     int rings_;
     bool joined_ = false;
     std::uint64_t expandedBefore_ = 0;  // by searches that began anew

@@ -7,10 +7,28 @@
 
 namespace seahex
 {
+namespace
+{
+
+bool suitsLengthSearch(const QueryParts &parts)
+{
+    const LatticeQuestion &q = parts.question;
+    return parts.metric == LengthMetric::Euclidean && !parts.cache && q.lattice.hexagons() != nullptr &&
+           q.jumps.rule == JumpRule::Safe && !q.jumps.allJumps && q.starts.size() == 1 && q.goals.size() == 1 &&
+           !parts.embedding.hasHeading();
+}
+
+}  // namespace
 
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
 {
-    auto parts = std::make_unique<QueryParts>(question);
+    LatticeQuestion asked = question;
+    const bool isAutomatic = question.guidance == Guidance::Automatic;
+    if (isAutomatic)
+        asked.guidance = Guidance::Relaxed;
+    auto parts = std::make_unique<QueryParts>(asked);
+    if (isAutomatic && suitsLengthSearch(*parts))
+        return makeShortestQuery(std::move(parts));
     if (parts->courses)
         try
         {
@@ -19,9 +37,8 @@ std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
         catch (const std::bad_alloc &)
         {
             // a good path is better than none
-            LatticeQuestion modest = question;
-            modest.knowsHeadings = false;
-            return makeLatticeQuery(modest);
+            asked.knowsHeadings = false;
+            return makeLatticeQuery(asked);
         }
     if (parts->safety != nullptr)
         return makeSafetyQuery(std::move(parts));

@@ -14,6 +14,10 @@ namespace seahex
 /// Of lengths that are known beforehand: QueryParts::metric.
 std::unique_ptr<LatticeQuery> makeLengthQuery(std::unique_ptr<QueryParts> parts);
 
+/// Of path length on the hexagons of a chart that is read, with safe jumps, from one start to one goal: as
+/// makeLengthQuery() with Guidance::Distance, and several times as fast.
+std::unique_ptr<LatticeQuery> makeShortestQuery(std::unique_ptr<QueryParts> parts);
+
 /// Of safety weights charged on arrival: QueryParts::safety.
 std::unique_ptr<LatticeQuery> makeSafetyQuery(std::unique_ptr<QueryParts> parts);
 

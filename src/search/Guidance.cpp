@@ -9,7 +9,8 @@ namespace seahex
 namespace
 {
 
-constexpr std::array<std::pair<Guidance, const char *>, 7> names = {{{Guidance::None, "none"},
+constexpr std::array<std::pair<Guidance, const char *>, 8> names = {{{Guidance::Automatic, "automatic"},
+                                                                     {Guidance::None, "none"},
                                                                      {Guidance::Distance, "distance"},
                                                                      {Guidance::Euclidean, "euclidean"},
                                                                      {Guidance::Cheng, "cheng"},

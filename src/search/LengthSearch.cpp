@@ -24,7 +24,7 @@ unsigned int bitsOf(std::uint64_t value)
 
 }  // namespace
 
-LengthSearch::LengthSearch(const HexOccupancy &occupancy, int rings)
+LengthSearch::LengthSearch(const Occupancy &occupancy, int rings)
     : layout_(occupancy.layout()), jumps_(layout_, 3, JumpSet::Primitive), blocked_(layout_, occupancy.words().data()),
       store_(layout_.size()), natural_(&NaturalJumps::ofRings(rings)), norm_(rings),
       cones_(rings, offsetsOf(jumps_, rings)), rings_(rings), deltas_(), jumpQ_(), jumpS_(), addedHere_()
@@ -196,8 +196,8 @@ std::vector<CellIndex> LengthSearch::pathTo(CellIndex cell) const
 
 double LengthSearch::lowerBound() const
 {
-    if (open_.empty() && !bestGoal_)
-        return std::numeric_limits<double>::infinity();
+    if (open_.empty() || (bestGoal_ && open_.isCurrentEmpty()))
+        return cost();
     // every open cell's estimate lies in the current bucket or above
     const double passed = static_cast<double>(bucketsPassed_) * static_cast<double>(1U << BucketQueue::shift);
     const double bound = (static_cast<double>(startBound_) + passed) / static_cast<double>(units::pitch);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <limits>
 #include <thread>
@@ -129,7 +130,9 @@ TEST(HexAStarAnytime, ReadingTheOccupancyOrAskingGivesTheSameAnswer)
                         planner->setTracing(true);
                     }
                     const int rings = static_cast<int>(random.integer(1, 3));
-                    const auto guidance = static_cast<Guidance>(random.integer(0, 3));
+                    constexpr std::array<Guidance, 4> guidances = {Guidance::None, Guidance::Distance,
+                                                                   Guidance::Euclidean, Guidance::Cheng};
+                    const Guidance guidance = guidances[static_cast<std::size_t>(random.integer(0, 3))];
                     const bool smoothing = random.chance(0.5);
                     const bool allJumps = random.chance(0.5);
                     for (const auto &planner : {reading, asking})

@@ -27,8 +27,8 @@ namespace seahex::test
 namespace
 {
 
-constexpr std::array<Guidance, 5> guidances = {Guidance::None, Guidance::Distance, Guidance::Cheng, Guidance::TieBreak,
-                                               Guidance::Relaxed};
+constexpr std::array<Guidance, 6> guidances = {Guidance::Automatic, Guidance::None,     Guidance::Distance,
+                                               Guidance::Cheng,     Guidance::TieBreak, Guidance::Relaxed};
 
 /// Cost of a straight leg between a point and its cell's centre, in cells.
 double legCost(const HexLattice &lattice, LengthMetric metric, const Point &p)

@@ -150,7 +150,7 @@ TEST_F(HexAStarContract, ParametersAreSetAndReadByName)
 
     EXPECT_TRUE(params.setParam("rings", "2"));
     EXPECT_EQ(planner.getRings(), 2);
-    for (const char *guidance : {"none", "distance", "euclidean", "cheng", "wang", "tie_break", "relaxed"})
+    for (const char *guidance : {"automatic", "none", "distance", "euclidean", "cheng", "wang", "tie_break", "relaxed"})
     {
         EXPECT_TRUE(params.setParam("guidance", guidance));
         EXPECT_EQ(planner.getGuidance(), guidance);
@@ -180,7 +180,7 @@ TEST_F(HexAStarContract, BadValuesAreRefusedAndChangeNothing)
         EXPECT_THROW(planner.setCellSize(size), ompl::Exception);
     EXPECT_THROW(planner.params().setParam("rings", "7"), ompl::Exception);
     EXPECT_EQ(planner.getRings(), 3);
-    EXPECT_EQ(planner.getGuidance(), "relaxed");
+    EXPECT_EQ(planner.getGuidance(), "automatic");
     EXPECT_EQ(planner.getCellSize(), 0.0);
 }
 

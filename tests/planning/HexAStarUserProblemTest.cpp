@@ -186,10 +186,10 @@ void solveAndCompare(DiscWorld &world, std::map<std::string, int> &seen)
 {
     const auto planner = plannerFor(world.problem);
     const int rings = static_cast<int>(world.random.integer(1, 3));
-    constexpr std::array<Guidance, 4> admissible = {Guidance::None, Guidance::Distance, Guidance::TieBreak,
-                                                    Guidance::Relaxed};
+    constexpr std::array<Guidance, 5> admissible = {Guidance::Automatic, Guidance::None, Guidance::Distance,
+                                                    Guidance::TieBreak, Guidance::Relaxed};
     planner->setRings(rings);
-    planner->setGuidance(admissible[static_cast<std::size_t>(world.random.integer(0, 2))]);
+    planner->setGuidance(admissible[static_cast<std::size_t>(world.random.integer(0, 4))]);
     planner->setAllJumps(world.random.chance(0.5));
     planner->setCellSize(world.cellSize);
     Watch watch([](int) { return false; });

@@ -76,7 +76,7 @@ TEST_F(SquareAStarContract, BadValuesAreRefusedAndChangeNothing)
     EXPECT_THROW(planner.setCellSize(-1.0), ompl::Exception);
     EXPECT_EQ(planner.getNeighbours(), 8);
     EXPECT_EQ(planner.getJumps(), "safe");
-    EXPECT_EQ(planner.getGuidance(), "relaxed");
+    EXPECT_EQ(planner.getGuidance(), "automatic");
     EXPECT_EQ(planner.getCellSize(), 0.0);
 }
 

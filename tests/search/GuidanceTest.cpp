@@ -12,8 +12,8 @@ using namespace seahex::test;
 TEST(Guidance, namesAreReadAsTheyAreWritten)
 {
     std::string all;
-    for (const Guidance guidance : {Guidance::None, Guidance::Distance, Guidance::Euclidean, Guidance::Cheng,
-                                    Guidance::Wang, Guidance::TieBreak, Guidance::Relaxed})
+    for (const Guidance guidance : {Guidance::Automatic, Guidance::None, Guidance::Distance, Guidance::Euclidean,
+                                    Guidance::Cheng, Guidance::Wang, Guidance::TieBreak, Guidance::Relaxed})
     {
         EXPECT_EQ(guidanceFromString(toString(guidance)), guidance);
         all += (all.empty() ? "" : ",") + std::string(toString(guidance));

@@ -83,8 +83,7 @@ void expectShortest(LengthSearch &search, const HexOccupancy &occupancy, const L
         return;
     const double pitches = expected;
     EXPECT_NEAR(search.cost(), pitches, 1e-8 * (1.0 + pitches)) << toPicture(occupancy);
-    EXPECT_NEAR(search.lowerBound(), pitches, 0.06 + 1e-8 * pitches);
-    EXPECT_LE(search.lowerBound(), pitches * (1.0 + 1e-12));
+    EXPECT_NEAR(search.lowerBound(), pitches, 1e-8 * pitches);
     expectChain(search, occupancy, rings, start, goal);
 }
 

@@ -111,7 +111,8 @@ public:
     void getPlannerData(ompl::base::PlannerData &data) const override;
 
     void setGuidance(Guidance guidance);
-    /// By name: none, distance, euclidean, cheng, wang, tie_break, relaxed. @throws ompl::Exception for another
+    /// By name: automatic, none, distance, euclidean, cheng, wang, tie_break, relaxed. @throws ompl::Exception for
+    /// another
     void setGuidance(const std::string &name);
     std::string getGuidance() const { return toString(guidance_); }
 
@@ -187,7 +188,7 @@ private:
     ompl::base::PlannerStatus tell();
     void addSolution(const ompl::geometric::PathGeometric &path, bool isApproximate);
 
-    Guidance guidance_ = Guidance::Relaxed;
+    Guidance guidance_ = Guidance::Automatic;
     JumpRule jumpRule_ = JumpRule::Safe;
     bool smoothing_ = true;
     bool approximate_ = false;

@@ -11,6 +11,9 @@ namespace seahex
 /// What leads a search towards the goal.
 enum class Guidance
 {
+    /// Whichever finds the best path soonest: on the hexagons of a chart, for lengths, from one start to one goal, the
+    /// bound of Distance in a search made for just that (LengthSearch); elsewhere Relaxed.
+    Automatic,
     None,       ///< nothing: Dijkstra's algorithm
     Distance,   ///< the exact lower bound of the length that remains
     Euclidean,  ///< the straight distance: the plain A* of [Wang2017]; weaker than Distance
@@ -27,7 +30,7 @@ enum class Guidance
     Relaxed
 };
 
-/// "none", "distance", "euclidean", "cheng", "wang", "tie_break", "relaxed".
+/// "automatic", "none", "distance", "euclidean", "cheng", "wang", "tie_break", "relaxed".
 const char *toString(Guidance guidance);
 
 /// The names of all, separated by commas.

@@ -45,9 +45,10 @@ public:
     /// In the place of a jump where the path begins.
     static constexpr std::uint8_t noJump = NaturalJumps::start;
 
-    /// @param occupancy  must outlive the search; up to 2^27 columns and rows
+    /// @param occupancy  of hexagons; must outlive the search
     /// @param rings  1, 2 or 3
-    LengthSearch(const HexOccupancy &occupancy, int rings);
+    /// @throws std::length_error for more than 2^27 columns or rows
+    LengthSearch(const Occupancy &occupancy, int rings);
 
     /// Uses other rings from the next begin() on.
     void useRings(int rings);

@@ -76,6 +76,7 @@ public:
             case Guidance::Distance:
             case Guidance::TieBreak:
             case Guidance::Relaxed:
+            case Guidance::Automatic:
                 break;
         }
         const double norm =
