@@ -89,7 +89,7 @@ SearchStatus LengthSearch::run(const std::function<bool()> &stop, std::uint64_t 
             untilPoll = pollInterval - 1;
         }
         const CellIndex cell = open_.pop();
-        if (!store_.isExpanded(cell))
+        if (!store_.isExpanded(cell) && !isBeatenByGoal(cell))
             expand(cell);
     }
     return bestGoal_ ? SearchStatus::Found : SearchStatus::Exhausted;
@@ -123,6 +123,12 @@ inline const std::uint32_t *LengthSearch::added(const Place &place, std::uint32_
                                                    norm_(place.q - jumpQ_[k], place.s - jumpS_[k]) - here);
     }
     return addedHere_.data();
+}
+
+/// What is left in the goal's bucket may be better than the goal, or not.
+inline bool LengthSearch::isBeatenByGoal(CellIndex cell) const
+{
+    return bestGoal_ && static_cast<std::int32_t>(store_.label(cell) - (*bestGoal_ << jumpBits)) >= 0;
 }
 
 inline void LengthSearch::expand(CellIndex cell)

@@ -109,6 +109,7 @@ private:
     };
 
     Place placeOf(CellIndex cell) const;
+    bool isBeatenByGoal(CellIndex cell) const;
     void expand(CellIndex cell);
     void reach(CellIndex cell, std::uint32_t estimate, unsigned int jump);
     const std::uint32_t *added(const Place &place, std::uint32_t jumps);
