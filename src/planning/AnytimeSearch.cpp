@@ -1,8 +1,12 @@
 #include "planning/AnytimeSearch.h"
 
+#include "planning/ChartSearches.h"
 #include "seahex/planning/AdmissibleHeuristic.h"
 #include "seahex/planning/PlanarEmbedding.h"
 
+#include <ompl/base/ScopedState.h>
+
+#include <algorithm>
 #include <utility>
 
 namespace ob = ompl::base;
@@ -16,15 +20,30 @@ AnytimeSearch::AnytimeSearch(SearchGround ground, const SearchSettings &settings
       shortener_(ground_.si, ground_.objective, settings.direct ? ground_.chart : nullptr, ground_.lattice.pitch()),
       bestCost_(ground_.objective->infiniteCost())
 {
+}
+
+void AnytimeSearch::planSteps()
+{
     const auto add = [this](Step searching)
     {
         steps_.push_back(searching);
         if (settings_.smoothing)
             steps_.push_back(Step::Shorten);
     };
-    if (settings_.anytime && settings_.jumps.rings > 1)
+    steps_.clear();
+    levelsLeft_ = takesLargeCells() ? ground_.searches->levels() : 0;
+    for (std::size_t level = 0; level < levelsLeft_; ++level)
+        add(Step::SearchLarge);
+    if (settings_.anytime && settings_.jumps.rings > 1 && levelsLeft_ == 0)
         add(Step::SearchFirst);
     add(Step::SearchAll);
+}
+
+/// Paths through large cells are for the plane, and rough: something has to be left of the lattice's path to pull taut.
+bool AnytimeSearch::takesLargeCells()
+{
+    return settings_.anytime && settings_.smoothing && ground_.searches && suitsLengthSearch(question()) &&
+           PlanarEmbedding(ground_.si->getStateSpace().get()).lattice() == nullptr;
 }
 
 void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<const ob::State *> goals)
@@ -32,6 +51,7 @@ void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<con
     starts_ = std::move(starts);
     goals_ = std::move(goals);
     comparedPairs_ = 0;
+    planSteps();
     step_ = 0;
     isInStep_ = false;
     query_.reset();
@@ -102,12 +122,47 @@ bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
 {
     switch (step)
     {
+        case Step::SearchLarge:
+            return searchLarge(stop);
         case Step::SearchFirst:
             return search(1, stop);
         case Step::SearchAll:
             return search(settings_.jumps.rings, stop);
         case Step::Shorten:
             return shorten(stop);
+    }
+    return true;
+}
+
+/// In the largest cells that are left and have a path; thereafter in some at most a quarter as wide, for it is not
+/// worth the time to shorten many a path that is about as good.
+bool AnytimeSearch::searchLarge(const ob::PlannerTerminationCondition &stop)
+{
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    const HexLattice &lattice = *ground_.lattice.hexagons();
+    const HexCoord start = lattice.cellAt(embedding.position(starts_.front()));
+    const HexCoord goal = lattice.cellAt(embedding.position(goals_.front()));
+    latticePath_.reset();
+    if (!ground_.occupancy->isFree(toOffset(start)) || !ground_.occupancy->isFree(toOffset(goal)))
+        return true;
+    while (levelsLeft_ > 0 && !latticePath_)
+    {
+        if (stop)
+            return false;
+        const std::vector<HexCoord> corners = ground_.searches->largeCells(--levelsLeft_).path(start, goal);
+        if (corners.empty())
+            continue;
+        levelsLeft_ -= std::min<std::size_t>(levelsLeft_, 1);
+        auto path = std::make_shared<Path>(ground_.si, starts_.front());
+        ob::ScopedState<> state(ground_.si);
+        for (const HexCoord corner : corners)
+        {
+            embedding.place(state.get(), lattice.centre(corner));
+            path->append(state.get());
+        }
+        path->append(goals_.front());
+        latticePath_ = path;
+        offer(path);
     }
     return true;
 }
@@ -151,16 +206,22 @@ bool AnytimeSearch::shorten(const ob::PlannerTerminationCondition &stop)
     return result.isFinished;
 }
 
-void AnytimeSearch::makeQuery()
+LatticeQuestion AnytimeSearch::question()
 {
     LatticeQuestion question{ground_.si,       ground_.objective, ground_.lattice, ground_.occupancy,
                              settings_.direct, starts_,           goals_,          settings_.jumps};
     question.guidance = settings_.guidance;
-    trace_.clear();
     question.trace = settings_.tracing ? &trace_ : nullptr;
     question.board = &board_;
     question.tellsBound = !settings_.smoothing;
-    query_ = makeLatticeQuery(question);
+    question.searches = ground_.searches.get();
+    return question;
+}
+
+void AnytimeSearch::makeQuery()
+{
+    trace_.clear();
+    query_ = makeLatticeQuery(question());
 }
 
 void AnytimeSearch::offer(const std::shared_ptr<Path> &path)

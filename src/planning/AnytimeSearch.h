@@ -30,10 +30,12 @@ struct SearchGround
     Lattice lattice;
     std::shared_ptr<const Occupancy> chart;      ///< where the problem is one
     std::shared_ptr<const Occupancy> occupancy;  ///< the same within the space's bounds
+    std::shared_ptr<ChartSearches> searches;     ///< of that occupancy, if it is of hexagons
 };
 
-/// The steps of a lattice planner, from a first answer to one that can't be bettered: searches with few rings and with
-/// all, each followed by the shortening of its path. Can be interrupted anywhere, and goes on there.
+/// The steps of a lattice planner, from a first answer to one that can't be bettered: searches in large cells or with
+/// one ring, and with all rings, each followed by the shortening of its path. Can be interrupted anywhere, and goes on
+/// there.
 class AnytimeSearch
 {
 public:
@@ -67,6 +69,7 @@ public:
 private:
     enum class Step
     {
+        SearchLarge,  // in large cells
         SearchFirst,  // with one ring
         SearchAll,    // with all
         Shorten
@@ -74,8 +77,12 @@ private:
 
     bool compareDirectly(const ompl::base::PlannerTerminationCondition &stop);
     bool take(Step step, const ompl::base::PlannerTerminationCondition &stop);
+    bool searchLarge(const ompl::base::PlannerTerminationCondition &stop);
     bool search(int rings, const ompl::base::PlannerTerminationCondition &stop);
     bool shorten(const ompl::base::PlannerTerminationCondition &stop);
+    LatticeQuestion question();
+    bool takesLargeCells();
+    void planSteps();
     void makeQuery();
     void offer(const std::shared_ptr<Path> &path);
     ompl::base::Cost leastCost() const;
@@ -91,6 +98,7 @@ private:
     std::vector<Step> steps_;
     std::size_t step_ = 0;  // the one that is next, or was interrupted
     bool isInStep_ = false;
+    std::size_t levelsLeft_ = 0;  // of large cells, the largest first
     std::unique_ptr<LatticeQuery> query_;
     std::vector<CellIndex> trace_;
     std::shared_ptr<Path> latticePath_;  // of the last search

@@ -1,6 +1,7 @@
 #include "seahex/planning/LatticeAStar.h"
 
 #include "planning/AnytimeSearch.h"
+#include "planning/ChartSearches.h"
 #include "planning/EndStates.h"
 #include "planning/ProblemLattice.h"
 #include "planning/SearchTree.h"
@@ -136,6 +137,10 @@ void LatticeAStar::setup()
     const PlanarEmbedding embedding(si_->getStateSpace().get());
     chart_ = ownChart();
     occupancy_ = chart_ ? withinBounds(chart_, embedding.bounds()) : nullptr;
+    if (!occupancy_ || occupancy_->lattice().hexagons() == nullptr)
+        searches_.reset();
+    else if (direct_ && guidance_ == Guidance::Automatic && (!searches_ || searches_->occupancy() != occupancy_))
+        searches_ = std::make_shared<ChartSearches>(occupancy_);
     lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(embedding, requestedCellSize_);
     if (occupancy_ && !direct_)
         requireAskable(*lattice_);
@@ -251,7 +256,7 @@ void LatticeAStar::beginSearch()
     {
         const SearchSettings settings{jumpChoice(), guidance_, searchesTwice(), smoothing_, direct_, tracing_};
         search_ = std::make_unique<AnytimeSearch>(
-            SearchGround{si_, objective_, *lattice_, chart_, occupancy_}, settings, *board_,
+            SearchGround{si_, objective_, *lattice_, chart_, occupancy_, searches_}, settings, *board_,
             [this](const og::PathGeometric &path, ob::Cost cost) { note(path, cost); });
     }
     search_->begin({ends_->starts().begin(), ends_->starts().end()}, {ends_->goals().begin(), ends_->goals().end()});

@@ -2,32 +2,30 @@
 
 #include "planning/QueryKinds.h"
 
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+
 #include <new>
+#include <typeinfo>
 #include <utility>
 
 namespace seahex
 {
-namespace
+bool suitsLengthSearch(const LatticeQuestion &q)
 {
-
-bool suitsLengthSearch(const QueryParts &parts)
-{
-    const LatticeQuestion &q = parts.question;
-    return parts.metric == LengthMetric::Euclidean && !parts.cache && q.lattice.hexagons() != nullptr &&
-           q.jumps.rule == JumpRule::Safe && !q.jumps.allJumps && q.starts.size() == 1 && q.goals.size() == 1 &&
-           !parts.embedding.hasHeading();
+    const ompl::base::OptimizationObjective &objective = *q.objective;
+    return q.guidance == Guidance::Automatic &&
+           typeid(objective) == typeid(ompl::base::PathLengthOptimizationObjective) && q.occupancy && q.direct &&
+           q.lattice.hexagons() != nullptr && q.jumps.rule == JumpRule::Safe && !q.jumps.allJumps &&
+           q.starts.size() == 1 && q.goals.size() == 1 && !PlanarEmbedding(q.si->getStateSpace().get()).hasHeading();
 }
-
-}  // namespace
 
 std::unique_ptr<LatticeQuery> makeLatticeQuery(const LatticeQuestion &question)
 {
     LatticeQuestion asked = question;
-    const bool isAutomatic = question.guidance == Guidance::Automatic;
-    if (isAutomatic)
+    if (question.guidance == Guidance::Automatic)
         asked.guidance = Guidance::Relaxed;
     auto parts = std::make_unique<QueryParts>(asked);
-    if (isAutomatic && suitsLengthSearch(*parts))
+    if (suitsLengthSearch(question))
         return makeShortestQuery(std::move(parts));
     if (parts->courses)
         try

@@ -22,6 +22,8 @@
 namespace seahex
 {
 
+class ChartSearches;
+
 /// What a lattice planner is asked: from which states to which, on which lattice, at what cost.
 struct LatticeQuestion
 {
@@ -43,7 +45,13 @@ struct LatticeQuestion
     bool tellsBound = false;                  ///< tell the board the lower bound of the search with all rings
     /// Where turns are charged, tell apart with which heading a cell is reached, if the memory lasts.
     bool knowsHeadings = true;
+    /// If given, searches of the same occupancy whose memory may be used.
+    ChartSearches *searches = nullptr;
 };
+
+/// Is it about path length in the plane or in cells, by safe jumps on the hexagons of a chart that is read, from one
+/// start to one goal, guided as the planner likes? That is what LengthSearch is made for.
+bool suitsLengthSearch(const LatticeQuestion &question);
 
 /// By what a vertex of a search is known.
 struct VertexName

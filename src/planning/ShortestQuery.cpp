@@ -1,3 +1,4 @@
+#include "planning/ChartSearches.h"
 #include "planning/GraphQuery.h"
 #include "planning/QueryKinds.h"
 #include "seahex/search/LengthSearch.h"
@@ -14,9 +15,13 @@ namespace
 /// What GraphQuery takes for a graph: where LengthSearch is, and where it shall go.
 struct ShortestGraph
 {
-    ShortestGraph(const QueryParts &parts)
-        : search(*parts.question.occupancy, parts.question.jumps.rings), layout(parts.layout)
+    explicit ShortestGraph(const QueryParts &parts)
+        : own(parts.question.searches != nullptr ? nullptr
+                                                 : std::make_unique<LengthSearch>(*parts.question.occupancy, 3)),
+          search(own ? *own : parts.question.searches->cells()), layout(parts.layout)
     {
+        search.forget();
+        search.useRings(parts.question.jumps.rings);
     }
 
     void useRings(int rings) { search.useRings(rings); }
@@ -27,7 +32,8 @@ struct ShortestGraph
     }
     CellIndex predecessor(CellIndex cell, std::uint8_t jump) const { return search.jumps().predecessor(cell, jump); }
 
-    LengthSearch search;
+    std::unique_ptr<LengthSearch> own;
+    LengthSearch &search;
     const CellLayout &layout;
     GoalCell goal{OffsetCoord{}, 0.0};
 };
@@ -76,8 +82,8 @@ private:
 
 std::unique_ptr<LatticeQuery> makeShortestQuery(std::unique_ptr<QueryParts> parts)
 {
-    return std::make_unique<GraphQuery<ShortestGraph, ShortestSearch>>(
-        std::move(parts), [](const QueryParts &p) { return ShortestGraph(p); });
+    return std::make_unique<GraphQuery<ShortestGraph, ShortestSearch>>(std::move(parts), [](const QueryParts &p)
+                                                                       { return ShortestGraph(p); });
 }
 
 }  // namespace seahex

@@ -54,7 +54,7 @@ void LengthSearch::useRings(int rings)
     rings_ = rings;
 }
 
-void LengthSearch::begin(HexCoord start, HexCoord goal)
+void LengthSearch::forget()
 {
     store_.clear();
     open_.clear();
@@ -62,6 +62,11 @@ void LengthSearch::begin(HexCoord start, HexCoord goal)
     bestGoal_.reset();
     bucketsPassed_ = 0;
     cone_ = nullptr;
+}
+
+void LengthSearch::begin(HexCoord start, HexCoord goal)
+{
+    forget();
     goal_ = layout_.index(goal);
     goalQ_ = static_cast<std::int32_t>(goal.q);
     goalS_ = static_cast<std::int32_t>(goal.s);

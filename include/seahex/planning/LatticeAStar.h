@@ -20,6 +20,7 @@ namespace seahex
 {
 
 class AnytimeSearch;
+class ChartSearches;
 class EndStates;
 class PlanarEmbedding;
 class SearchTree;
@@ -199,6 +200,7 @@ private:
     std::optional<Lattice> lattice_;
     std::shared_ptr<const Occupancy> chart_;      // where the problem is one of the planner's kind
     std::shared_ptr<const Occupancy> occupancy_;  // the same within the space's bounds
+    std::shared_ptr<ChartSearches> searches_;     // on that occupancy, kept for the next problem
     ompl::base::OptimizationObjectivePtr problemObjective_;
     ompl::base::OptimizationObjectivePtr objective_;  // the problem's or, if it has none, path length
 

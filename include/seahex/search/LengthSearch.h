@@ -53,6 +53,9 @@ public:
     /// Uses other rings from the next begin() on.
     void useRings(int rings);
 
+    /// Forgets the last search: no cell is reached.
+    void forget();
+
     /// Forgets the last search and prepares one between two cells of the occupancy.
     void begin(HexCoord start, HexCoord goal);
 
