@@ -3,6 +3,7 @@
 #include <seahex/geometry/CellLayout.h>
 #include <seahex/search/OpenList.h>
 #include <seahex/search/SearchCounters.h>
+#include <seahex/search/SearchMemory.h>
 #include <seahex/search/SearchStatus.h>
 
 #include <algorithm>
@@ -147,6 +148,13 @@ public:
     }
 
     const SearchCounters &counters() const { return counters_; }
+
+    SearchMemory memory() const
+    {
+        return {(generated_.capacity() + closed_.capacity()) * sizeof(std::uint64_t),
+                static_cast<std::size_t>(counters_.generated) * (sizeof(double) + sizeof(std::uint8_t)) +
+                    open_.capacityBytes()};
+    }
 
     /// If given, every expanded cell is appended to the trace in the order of expansion.
     void setTrace(std::vector<CellIndex> *trace) { trace_ = trace; }

@@ -28,6 +28,8 @@ public:
 
     bool empty() const { return heap_.empty(); }
     std::size_t size() const { return heap_.size(); }
+    /// What it holds, room for more entries included.
+    std::size_t capacityBytes() const { return heap_.capacity() * sizeof(OpenEntry); }
     const OpenEntry &top() const { return heap_.front(); }
     void clear() { heap_.clear(); }
 

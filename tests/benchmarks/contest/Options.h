@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace seahex::contest
+{
+
+/// What to run. Beside these the program takes Google Benchmark's own options.
+struct Options
+{
+    std::vector<std::string> worlds = {"S", "P", "N"};  ///< --worlds=S,P,archipelago:1e5
+    std::size_t queries = 20;                           ///< --queries=20, on each world
+    std::int64_t passes = 3;                            ///< --passes=3: the least time of each query counts
+    std::uint64_t seed = 1;                             ///< --seed=1, of the queries
+};
+
+/// @throws std::runtime_error for what is no option, or no value of it
+Options readOptions(const std::vector<std::string> &arguments);
+
+}  // namespace seahex::contest

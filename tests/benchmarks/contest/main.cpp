@@ -1,0 +1,116 @@
+// The benchmark that decides: every contender on every world, the same queries in one run, their costs held against a
+// textbook's; then each target with what was measured. Times mean little on a shared machine: read the ratios.
+
+#include "contest/Options.h"
+#include "contest/Targets.h"
+#include "contest/Trial.h"
+
+#include <benchmark/benchmark.h>
+
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <memory>
+
+namespace
+{
+
+using namespace seahex::contest;
+
+/// What the benchmarks share: one world at a time, since the large ones would not fit side by side.
+class Contest
+{
+public:
+    explicit Contest(Options options) : options_(std::move(options)) {}
+
+    void registerAll()
+    {
+        for (const std::string &world : options_.worlds)
+        {
+            if (!isAvailable(world))
+            {
+                std::cerr << world << ": skipped, its chart was not found (SEAHEX_TEST_DATA)\n";
+                continue;
+            }
+            for (const ContenderKind &kind : contenders())
+                benchmark::RegisterBenchmark(("search/" + world + "/" + kind.name).c_str(),
+                                             [this, world, &kind](benchmark::State &state)
+                                             { search(state, world, kind); })
+                    ->UseManualTime()
+                    ->Iterations(options_.passes)
+                    ->Unit(benchmark::kMillisecond);
+        }
+    }
+
+    const Measurements &measurements() const { return measurements_; }
+    bool hasFailed() const { return hasFailed_; }
+
+private:
+    Course &courseOn(const std::string &world)
+    {
+        if (!course_ || course_->world().name != world)
+        {
+            course_.reset();
+            course_ = std::make_unique<Course>(makeWorld(world), options_.queries, options_.seed);
+        }
+        return *course_;
+    }
+
+    void search(benchmark::State &state, const std::string &world, const ContenderKind &kind)
+    {
+        try
+        {
+            Course &course = courseOn(world);
+            if (course.world().occupancy->lattice().cellCount() > kind.mostCells)
+            {
+                state.SkipWithError("the world is too large for it");
+                return;
+            }
+            Trial trial(course, kind);
+            for (auto _ : state)
+                state.SetIterationTime(trial.pass());
+            note(state, trial.result());
+        }
+        catch (const std::exception &error)
+        {
+            hasFailed_ = true;
+            std::cerr << error.what() << '\n';
+            state.SkipWithError(error.what());
+        }
+    }
+
+    void note(benchmark::State &state, const Result &result)
+    {
+        state.counters["median_ms"] = result.medianMs();
+        state.counters["mean_ms"] = result.meanMs();
+        state.counters["queries_per_s"] = 1e3 / result.meanMs();
+        state.counters["ns_per_expansion"] = result.nsPerExpansion();
+        state.counters["bytes_per_touched"] = result.bytesPerTouched();
+        state.counters["bits_per_cell"] = result.bitsPerIndex();
+        state.counters["cells"] = static_cast<double>(result.cells);
+        measurements_.results.push_back(result);
+    }
+
+    Options options_;
+    std::unique_ptr<Course> course_;
+    Measurements measurements_;
+    bool hasFailed_ = false;
+};
+
+}  // namespace
+
+int main(int argc, char **argv)
+try
+{
+    benchmark::Initialize(&argc, argv);
+    Contest contest(readOptions({argv + 1, argv + argc}));
+    contest.registerAll();
+    benchmark::RunSpecifiedBenchmarks();
+    printVerdicts(contest.measurements(), std::cout);
+    return contest.hasFailed() ? 1 : 0;
+}
+catch (const std::exception &error)
+{
+    std::cerr << error.what() << '\n';
+    return 2;
+}
