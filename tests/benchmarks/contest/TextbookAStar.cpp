@@ -18,9 +18,8 @@ struct CellHash
 {
     std::size_t operator()(HexCoord cell) const
     {
-        // one multiplication spreads neighbours over the buckets
-        const auto key = (static_cast<std::uint64_t>(cell.q) << 32) ^ static_cast<std::uint32_t>(cell.s);
-        return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15u) >> 20);
+        // as std::hash has it for one number: neighbours of a row lie in buckets side by side
+        return static_cast<std::size_t>(cell.q + (cell.s << 20));
     }
 };
 

@@ -1,10 +1,10 @@
 #include "contest/Trial.h"
 
 #include "contest/Queries.h"
+#include "contest/Stopwatch.h"
 #include "contest/TextbookAStar.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -108,11 +108,11 @@ double Trial::pass()
     double seconds = 0.0;
     for (std::size_t i = 0; i < course_.queries().size(); ++i)
     {
-        const auto begin = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         result_.answers[i] = contender_->solve(course_.queries()[i]);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-        seconds += taken.count();
-        result_.queryMs[i] = std::min(result_.queryMs[i], 1e3 * taken.count());
+        const double taken = watch.seconds();
+        seconds += taken;
+        result_.queryMs[i] = std::min(result_.queryMs[i], 1e3 * taken);
         course_.check(kind_, i, result_.answers[i].cost);
     }
     return seconds;

@@ -7,7 +7,6 @@
 #include <seahex/world/BlockingRule.h>
 #include <seahex/world/OccupancyBuilder.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -65,12 +64,10 @@ std::optional<double> archipelagoCells(const std::string &name)
 
 void fill(World &world, const HexLattice &lattice)
 {
-    const auto begin = std::chrono::steady_clock::now();
     OccupancyBuilder<HexLattice> builder(lattice);
     for (const Shape &shape : world.land)
         builder.block(shape, 0.0);
     world.occupancy = builder.build();
-    world.fillMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// The box in the plane that the corners of a geographic one span.
@@ -90,7 +87,7 @@ Box planeBox(const GeoBox &window, const Projection &projection)
 
 World fromChart(const std::string &name, const Window &window)
 {
-    World world{name, window.what, nullptr, {}};
+    World world{name, window.what, nullptr, {}, window.chart};
     const Chart chart = readChart(window.chart);
     const auto projection = Projection::transverseMercator(window.box.centre());
     for (const Hazard &hazard : projectHazards(chart, projection))
@@ -105,7 +102,7 @@ World fromChart(const std::string &name, const Window &window)
 
 World islands(const std::string &name, double cells)
 {
-    World world{name, "synthetic archipelago", nullptr, {}};
+    World world{name, "synthetic archipelago", nullptr, {}, ""};
     // as many rows as columns: seven eighths as high as wide
     const auto side = static_cast<std::int64_t>(std::lround(std::sqrt(cells)));
     const HexLattice lattice(Point(0, 0), 1.0, side, side);

@@ -18,7 +18,7 @@ struct World
     std::string what;  ///< one line for people
     std::shared_ptr<const HexOccupancy> occupancy;
     std::vector<Shape> land;  ///< in the lattice's frame
-    double fillMs = 0.0;      ///< wall time of filling, milliseconds
+    std::string chart;        ///< the file that the land is from; empty where there is none
 };
 
 /// S, P, N, N100, and archipelago:CELLS with any number of cells from 1,000 on:

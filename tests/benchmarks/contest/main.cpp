@@ -1,16 +1,19 @@
 // The benchmark that decides: every contender on every world, the same queries in one run, their costs held against a
 // textbook's; then each target with what was measured. Times mean little on a shared machine: read the ratios.
 
+#include "contest/Filling.h"
+#include "contest/FirstPath.h"
+#include "contest/Opening.h"
 #include "contest/Options.h"
 #include "contest/Targets.h"
 #include "contest/Trial.h"
 
 #include <benchmark/benchmark.h>
 
-#include <iomanip>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -32,13 +35,10 @@ public:
                 std::cerr << world << ": skipped, its chart was not found (SEAHEX_TEST_DATA)\n";
                 continue;
             }
+            registerChores(world);
             for (const ContenderKind &kind : contenders())
-                benchmark::RegisterBenchmark(("search/" + world + "/" + kind.name).c_str(),
-                                             [this, world, &kind](benchmark::State &state)
-                                             { search(state, world, kind); })
-                    ->UseManualTime()
-                    ->Iterations(options_.passes)
-                    ->Unit(benchmark::kMillisecond);
+                add("search/" + world + "/" + kind.name,
+                    [this, world, &kind](benchmark::State &state) { search(state, world, kind); });
         }
     }
 
@@ -46,6 +46,49 @@ public:
     bool hasFailed() const { return hasFailed_; }
 
 private:
+    template <class Run>
+    void add(const std::string &name, Run &&run)
+    {
+        benchmark::RegisterBenchmark(name.c_str(), std::forward<Run>(run))
+            ->UseManualTime()
+            ->Iterations(options_.passes)
+            ->Unit(benchmark::kMillisecond);
+    }
+
+    /// What is no search: a function that returns milliseconds.
+    void registerChores(const std::string &world)
+    {
+        const auto addChore = [&](const std::string &what, const std::string &by, double (*ms)(const Course &))
+        {
+            const std::string name = what + "/" + world + "/" + by;
+            add(name, [this, name, world, ms](benchmark::State &state) { doChore(state, name, world, ms); });
+        };
+        addChore("fill", "hexagons", [](const Course &course) { return fillMs(course.world()); });
+        addChore("fill", "gdal", [](const Course &course) { return rasterizeMs(course.world()); });
+        addChore("first", "HexAStar", firstPathMs);
+        if (world.rfind("archipelago", 0) == 0)
+            return;  // of no chart
+        addChore("open", "seahex", [](const Course &course) { return openMs(course.world().chart); });
+        addChore("open", "gdal", [](const Course &course) { return gdalReadMs(course.world().chart); });
+    }
+
+    void doChore(benchmark::State &state, const std::string &name, const std::string &world,
+                 double (*ms)(const Course &))
+    try
+    {
+        const Course &course = courseOn(world);
+        for (auto _ : state)
+        {
+            const double taken = ms(course);
+            state.SetIterationTime(1e-3 * taken);
+            measurements_.noteLeast(name, taken);
+        }
+    }
+    catch (const std::exception &error)
+    {
+        fail(state, error);
+    }
+
     Course &courseOn(const std::string &world)
     {
         if (!course_ || course_->world().name != world)
@@ -57,26 +100,29 @@ private:
     }
 
     void search(benchmark::State &state, const std::string &world, const ContenderKind &kind)
+    try
     {
-        try
+        Course &course = courseOn(world);
+        if (course.world().occupancy->lattice().cellCount() > kind.mostCells)
         {
-            Course &course = courseOn(world);
-            if (course.world().occupancy->lattice().cellCount() > kind.mostCells)
-            {
-                state.SkipWithError("the world is too large for it");
-                return;
-            }
-            Trial trial(course, kind);
-            for (auto _ : state)
-                state.SetIterationTime(trial.pass());
-            note(state, trial.result());
+            state.SkipWithError("the world is too large for it");
+            return;
         }
-        catch (const std::exception &error)
-        {
-            hasFailed_ = true;
-            std::cerr << error.what() << '\n';
-            state.SkipWithError(error.what());
-        }
+        Trial trial(course, kind);
+        for (auto _ : state)
+            state.SetIterationTime(trial.pass());
+        note(state, trial.result());
+    }
+    catch (const std::exception &error)
+    {
+        fail(state, error);
+    }
+
+    void fail(benchmark::State &state, const std::exception &error)
+    {
+        hasFailed_ = true;
+        std::cerr << error.what() << '\n';
+        state.SkipWithError(error.what());
     }
 
     void note(benchmark::State &state, const Result &result)
