@@ -2,6 +2,7 @@
 // refused, and verdicts follow from figures.
 
 #include "contest/Archipelago.h"
+#include "contest/Figures.h"
 #include "contest/Options.h"
 #include "contest/Queries.h"
 #include "contest/Targets.h"
@@ -13,6 +14,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <map>
 #include <sstream>
 
 namespace seahex::contest
@@ -197,6 +202,7 @@ TEST(Result, SumsUpItsQueries)
         answer = {1.0, 1000, 100, {16, 400}};
     EXPECT_DOUBLE_EQ(result.medianMs(), 3.0);
     EXPECT_DOUBLE_EQ(result.meanMs(), 4.0);
+    EXPECT_DOUBLE_EQ(result.expanded(), 3000.0);
     EXPECT_DOUBLE_EQ(result.nsPerExpansion(), 4000.0);
     EXPECT_DOUBLE_EQ(result.bytesPerTouched(), 4.0);
     EXPECT_DOUBLE_EQ(result.bitsPerIndex(), 2.0);
@@ -236,6 +242,29 @@ TEST(Verdicts, HoldOursAgainstGdal)
     measured.noteLeast("fill/N/gdal", 500.0);
     EXPECT_NE(lineOf(measured, "N, filling").find(" 0.2 "), std::string::npos);
     EXPECT_NE(lineOf(measured, "N, filling").find("  met"), std::string::npos);
+}
+
+TEST(Figures, AreReadAsTheyWereWritten)
+{
+    const std::string file = testing::TempDir() + "seahex_figures_test.json";
+    const std::map<std::string, double> figures = {{"instructions/N/astar_1", 249.5}, {"behind/P", 0.0}};
+    writeFigures(figures, file);
+    EXPECT_EQ(readFigures(file), figures);
+    std::ofstream(file) << "{\"instructions\": [1, 2]}";
+    EXPECT_THROW(readFigures(file), std::runtime_error);
+    std::ofstream(file) << "no JSON";
+    EXPECT_THROW(readFigures(file), std::runtime_error);
+    std::remove(file.c_str());
+    EXPECT_TRUE(readFigures(file).empty());
+    EXPECT_THROW(writeFigures(figures, testing::TempDir() + "no/such/folder.json"), std::runtime_error);
+
+    Measurements measured;
+    measured.figures = {{"instructions/N/astar_1", 249.0},
+                        {"instructions/N/relaxed_1", 251.0},
+                        {"instructions/N/boost_1", 1.0},
+                        {"instructions/N/astar_3", 351.0}};
+    EXPECT_NE(lineOf(measured, "N, ring 1, instructions").find("met (astar_1)"), std::string::npos);
+    EXPECT_NE(lineOf(measured, "N, ring 3, instructions").find("missed (astar_3)"), std::string::npos);
 }
 
 TEST(Options, AreReadOrRefused)

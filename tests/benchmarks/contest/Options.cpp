@@ -39,6 +39,8 @@ Options readOptions(const std::vector<std::string> &arguments)
         const std::string value = equals == std::string::npos ? "" : argument.substr(equals + 1);
         if (name == "--worlds" && !value.empty())
             options.worlds = listFrom(value);
+        else if (name == "--figures" && !value.empty())
+            options.figures.push_back(value);
         else if (name == "--queries")
             options.queries = countFrom(argument, value);
         else if (name == "--passes")
@@ -48,7 +50,7 @@ Options readOptions(const std::vector<std::string> &arguments)
         else
             throw std::runtime_error(argument +
                                      " is no option; there are --worlds=S,P,N,N100,archipelago:CELLS, --queries, "
-                                     "--passes, --seed and those of Google Benchmark");
+                                     "--passes, --seed, --figures and those of Google Benchmark");
     }
     return options;
 }

@@ -14,7 +14,9 @@ struct Options
     std::vector<std::string> worlds = {"S", "P", "N"};  ///< --worlds=S,P,archipelago:1e5
     std::size_t queries = 20;                           ///< --queries=20, on each world
     std::int64_t passes = 3;                            ///< --passes=3: the least time of each query counts
-    std::uint64_t seed = 1;                             ///< --seed=1, of the queries
+    /// --figures=FILE, any number of times: what instructions.sh and seahex_curves left, for the verdicts.
+    std::vector<std::string> figures;
+    std::uint64_t seed = 1;  ///< --seed=1, of the queries
 };
 
 /// @throws std::runtime_error for what is no option, or no value of it

@@ -48,6 +48,7 @@ struct Result
     double medianMs() const;
     double meanMs() const;
     double nsPerExpansion() const;   ///< over all queries
+    double expanded() const;         ///< cells, by all queries
     double bytesPerTouched() const;  ///< over all queries; 0 where the contender can't tell
     double bitsPerIndex() const;     ///< held for every index of the layout, touched or not
 };
@@ -65,6 +66,8 @@ public:
     const Result &result() const { return result_; }
 
 private:
+    Answer solve(const Query &query);
+
     Course &course_;
     const ContenderKind &kind_;
     std::unique_ptr<Contender> contender_;

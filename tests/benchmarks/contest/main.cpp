@@ -1,6 +1,7 @@
 // The benchmark that decides: every contender on every world, the same queries in one run, their costs held against a
 // textbook's; then each target with what was measured. Times mean little on a shared machine: read the ratios.
 
+#include "contest/Figures.h"
 #include "contest/Filling.h"
 #include "contest/FirstPath.h"
 #include "contest/Opening.h"
@@ -24,7 +25,11 @@ using namespace seahex::contest;
 class Contest
 {
 public:
-    explicit Contest(Options options) : options_(std::move(options)) {}
+    explicit Contest(Options options) : options_(std::move(options))
+    {
+        for (const std::string &file : options_.figures)
+            measurements_.figures.merge(readFigures(file));
+    }
 
     void registerAll()
     {
@@ -127,6 +132,7 @@ private:
 
     void note(benchmark::State &state, const Result &result)
     {
+        state.counters["expanded"] = result.expanded();
         state.counters["median_ms"] = result.medianMs();
         state.counters["mean_ms"] = result.meanMs();
         state.counters["queries_per_s"] = 1e3 / result.meanMs();
