@@ -3,6 +3,7 @@
 
 #include "contest/Archipelago.h"
 #include "contest/Figures.h"
+#include "contest/Median.h"
 #include "contest/Options.h"
 #include "contest/Queries.h"
 #include "contest/Targets.h"
@@ -269,12 +270,16 @@ TEST(Figures, AreReadAsTheyWereWritten)
 
 TEST(Options, AreReadOrRefused)
 {
-    const Options options = readOptions({"--worlds=S,archipelago:1e5", "--queries=7", "--passes=2", "--seed=9"});
+    const Options options =
+        readOptions({"--worlds=S,archipelago:1e5", "--queries=7", "--passes=2", "--seed=9", "--runs=4", "--limit=0.5"});
     EXPECT_EQ(options.worlds, (std::vector<std::string>{"S", "archipelago:1e5"}));
     EXPECT_EQ(options.queries, 7U);
     EXPECT_EQ(options.passes, 2);
     EXPECT_EQ(options.seed, 9U);
-    for (const char *wrong : {"--worlds=", "--queries=0", "--queries=-3", "--passes=2x", "--seed", "--wolds=S", "S"})
+    EXPECT_EQ(options.runs, 4U);
+    EXPECT_EQ(options.limitS, 0.5);
+    for (const char *wrong : {"--worlds=", "--queries=0", "--queries=-3", "--passes=2x", "--seed", "--limit=0",
+                              "--limit=nan", "--wolds=S", "S"})
         EXPECT_THROW(readOptions({wrong}), std::runtime_error) << wrong;
 }
 

@@ -1,5 +1,7 @@
 #include "contest/FirstPath.h"
 
+#include "contest/Median.h"
+
 #include <seahex/planning/HexAStar.h>
 #include <seahex/planning/Setup.h>
 

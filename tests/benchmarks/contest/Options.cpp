@@ -18,6 +18,15 @@ std::uint64_t countFrom(const std::string &argument, const std::string &text)
     return count;
 }
 
+double secondsFrom(const std::string &argument, const std::string &text)
+{
+    char *end = nullptr;
+    const double seconds = std::strtod(text.c_str(), &end);
+    if (!(seconds > 0.0 && seconds < 1e6) || *end != '\0')
+        throw std::runtime_error(argument + ": a time in seconds is wanted");
+    return seconds;
+}
+
 std::vector<std::string> listFrom(const std::string &text)
 {
     std::vector<std::string> parts;
@@ -45,12 +54,16 @@ Options readOptions(const std::vector<std::string> &arguments)
             options.queries = countFrom(argument, value);
         else if (name == "--passes")
             options.passes = static_cast<std::int64_t>(countFrom(argument, value));
+        else if (name == "--runs")
+            options.runs = countFrom(argument, value);
+        else if (name == "--limit")
+            options.limitS = secondsFrom(argument, value);
         else if (name == "--seed")
             options.seed = countFrom(argument, value);
         else
             throw std::runtime_error(argument +
                                      " is no option; there are --worlds=S,P,N,N100,archipelago:CELLS, --queries, "
-                                     "--passes, --seed, --figures and those of Google Benchmark");
+                                     "--passes, --seed, --runs, --limit, --figures and those of Google Benchmark");
     }
     return options;
 }

@@ -16,6 +16,8 @@ struct Options
     std::int64_t passes = 3;                            ///< --passes=3: the least time of each query counts
     /// --figures=FILE, any number of times: what instructions.sh and seahex_curves left, for the verdicts.
     std::vector<std::string> figures;
+    std::size_t runs = 3;    ///< --runs=3, of each planner and query (seahex_curves)
+    double limitS = 10.0;    ///< --limit=10, seconds a run (seahex_curves)
     std::uint64_t seed = 1;  ///< --seed=1, of the queries
 };
 

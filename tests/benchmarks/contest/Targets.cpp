@@ -1,5 +1,7 @@
 #include "contest/Targets.h"
 
+#include "contest/Median.h"
+
 #include <algorithm>
 #include <iomanip>
 

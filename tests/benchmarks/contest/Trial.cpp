@@ -1,5 +1,6 @@
 #include "contest/Trial.h"
 
+#include "contest/Median.h"
 #include "contest/Queries.h"
 #include "contest/Stopwatch.h"
 #include "contest/TextbookAStar.h"
@@ -24,15 +25,6 @@ double sum(const std::vector<Answer> &answers, double (*of)(const Answer &))
 }
 
 }  // namespace
-
-double medianOf(std::vector<double> values)
-{
-    if (values.empty())
-        return std::numeric_limits<double>::quiet_NaN();
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 Course::Course(World world, std::size_t queries, std::uint64_t seed)
     : world_(std::move(world)), queries_(drawQueries(*world_.occupancy, queries, seed)),

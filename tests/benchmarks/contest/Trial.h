@@ -74,6 +74,4 @@ private:
     Result result_;
 };
 
-double medianOf(std::vector<double> values);
-
 }  // namespace seahex::contest
