@@ -12,6 +12,8 @@
 
 #include "support/Random.h"
 
+#include <seahex/world/CellBits.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -128,6 +130,19 @@ TEST(Queries, AreLongAndHaveAnAnswer)
     const auto others = drawQueries(*world.occupancy, 20, 2);
     EXPECT_TRUE(again.front().start == queries.front().start && again.back().goal == queries.back().goal);
     EXPECT_FALSE(others.front().start == queries.front().start && others.back().goal == queries.back().goal);
+}
+
+TEST(Queries, StayInOneWater)
+{
+    const HexLattice lattice(Point(0, 0), 1.0, 40, 40);
+    CellBits bits(CellLayout(40, 40));
+    bits.setSpan(20, 0, 39);  // a wall from west to east
+    bits.setOutside();
+    const CellLayout layout = bits.layout();
+    const HexOccupancy occupancy(lattice, layout, std::move(bits.words()));
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        for (const Query &query : drawQueries(occupancy, 20, seed))
+            EXPECT_EQ(query.start.s < 20, query.goal.s < 20) << "seed " << seed;
 }
 
 TEST(Queries, AreNotDrawnOnLand)
