@@ -96,7 +96,7 @@ TEST(Contenders, FindTheCostsOfDijkstra)
                             if (std::isinf(expected))
                                 EXPECT_EQ(answer.cost, expected);
                             else
-                                EXPECT_NEAR(answer.cost, expected, 1e-9 * (1.0 + expected));
+                                EXPECT_NEAR(answer.cost, expected, 1e-8 * (1.0 + expected));
                             EXPECT_GE(answer.expanded, 1U);
                             EXPECT_GE(answer.touched, 1U);
                         }
@@ -170,7 +170,8 @@ TEST(Archipelago, IsTheSameAtEachCallAndHasLandAndWater)
     }
     for (const char *name : {"archipelago:1e3", "archipelago:1e4", "archipelago:1e6"})
     {
-        const HexOccupancy &cells = *makeWorld(name).occupancy;
+        const World world = makeWorld(name);
+        const HexOccupancy &cells = *world.occupancy;
         const double share =
             static_cast<double>(cells.blockedCount()) / static_cast<double>(cells.lattice().cellCount());
         EXPECT_GT(share, 0.1) << name;

@@ -7,6 +7,7 @@
 #include <seahex/search/NaturalJumps.h>
 #include <seahex/search/NormCones.h>
 #include <seahex/search/SearchCounters.h>
+#include <seahex/search/SearchMemory.h>
 #include <seahex/search/SearchStatus.h>
 #include <seahex/search/UnitLengths.h>
 #include <seahex/world/Occupancy.h>
@@ -78,6 +79,12 @@ public:
     const HexJumps &jumps() const { return jumps_; }
     const SearchCounters &counters() const { return counters_; }
     std::size_t openSize() const { return open_.size(); }
+    SearchMemory memory() const
+    {
+        return {2 * store_.size() / 8,
+                static_cast<std::size_t>(counters_.generated) * sizeof(std::uint32_t) +
+                    store_.touchedWords().capacity() * sizeof(std::uint32_t) + open_.bytes()};
+    }
 
     bool isReached(CellIndex cell) const { return store_.isReached(cell); }
     /// The jump of the best path known to a cell that was reached; noJump where it begins.
