@@ -56,9 +56,14 @@ ob::PlannerPtr makeGreedy(const ob::SpaceInformationPtr &si, const DivePlannerSe
     return makeLayered(si, settings, seahex::LayeredPlanner::Mode::Greedy);
 }
 
-ob::PlannerPtr makePrisms(const ob::SpaceInformationPtr &si, const DivePlannerSettings &)
+ob::PlannerPtr makePrisms(const ob::SpaceInformationPtr &si, const DivePlannerSettings &settings)
 {
-    return std::make_shared<seahex::PrismAStar>(si);
+    const auto planner = std::make_shared<seahex::PrismAStar>(si);
+    planner->setRings(settings.rings);
+    planner->setCellSize(settings.cellSizeM);
+    planner->setLayerThickness(settings.layerM);
+    planner->setClimb(settings.climb);
+    return planner;
 }
 
 /// This project's, which know dives only.
@@ -93,6 +98,16 @@ std::string divePlannerNames()
 bool isDivePlannerName(const std::string &name)
 {
     return ownPlanners().count(name) > 0 || isOmpls(name);
+}
+
+bool plansOnSlices(const std::string &name)
+{
+    return ownPlanners().count(name) > 0 && !plansOnPrisms(name);
+}
+
+bool plansOnPrisms(const std::string &name)
+{
+    return name == "PrismAStar";
 }
 
 ob::PlannerPtr makeDivePlanner(const std::string &name, const ob::SpaceInformationPtr &si,

@@ -5,6 +5,7 @@
 
 #include <seahex/planning/DiveSetup.h>
 #include <seahex/planning/DiveStates.h>
+#include <seahex/planning/PrismAStar.h>
 #include <seahex/planning/SlicePlanner.h>
 
 #include <ompl/util/Console.h>
@@ -54,6 +55,34 @@ void askSlices(const Options &options, const seahex::SlicePlanner &planner, Resu
         result.figures = planner.selection()->keptFigures;
 }
 
+/// What only PrismAStar knows. @throws Failure if it has searched all and found nothing
+void askPrisms(const Options &options, const seahex::PrismAStar &planner, Result &result)
+{
+    using seahex::PlanningOutcome;
+    result.isImprovable = planner.outcome() == PlanningOutcome::Improvable;
+    const double climb = options.settings.climb;
+    const std::string within = climb > 0.0 ? " within a climb of " + plain(climb) : "";
+    if (planner.outcome() == PlanningOutcome::InvalidStart || planner.outcome() == PlanningOutcome::InvalidGoal)
+        throw Failure(Exit::NoRoute, std::string("no dive found by PrismAStar: no node near the ") +
+                                         (planner.outcome() == PlanningOutcome::InvalidStart ? "start" : "goal") +
+                                         " is reached" + within + "; a smaller --cell-size or --layer may find one");
+    if (planner.outcome() != PlanningOutcome::Exhausted)
+        return;
+    const std::optional<seahex::PrismLattice> lattice = planner.lattice();
+    throw Failure(Exit::NoRoute, "no dive found by PrismAStar" + within +
+                                     (lattice ? " on cells of " + plain(lattice->plane().pitch()) + " m in " +
+                                                    std::to_string(lattice->layers()) + " layers"
+                                              : ", whose nodes would be too many") +
+                                     "; other sizes by --cell-size and --layer" +
+                                     (climb > 0.0 ? ", or a steeper --climb," : "") + " may find one");
+}
+
+/// The climb over ground as the plane has it, where a metre over ground may be more.
+double climbInPlane(double climb, const Seabed &seabed)
+{
+    return climb / seabed.projection.largestScale(seabed.depths->grid().bounds());
+}
+
 void search(const Options &options, const std::shared_ptr<const seahex::DiveArena> &arena, const seahex::Point3 &start,
             const seahex::Point3 &goal, Result &result)
 {
@@ -66,6 +95,7 @@ void search(const Options &options, const std::shared_ptr<const seahex::DiveAren
     if (settings.vehicleLengthM == 0.0)
         settings.vehicleLengthM =
             std::max(seahex::horizontal(seahex::Point3(goal - start)).norm() / (settings.slices - 1), 1e-3);
+    settings.climb = climbInPlane(settings.climb, result.seabed);
     const ob::PlannerPtr planner = demos::makeDivePlanner(options.planner, setup.getSpaceInformation(), settings);
     setup.setPlanner(planner);
     setup.setup();
@@ -75,6 +105,8 @@ void search(const Options &options, const std::shared_ptr<const seahex::DiveAren
     result.searchMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     if (const auto *slices = dynamic_cast<const seahex::SlicePlanner *>(planner.get()))
         askSlices(options, *slices, result);
+    if (const auto *prisms = dynamic_cast<const seahex::PrismAStar *>(planner.get()))
+        askPrisms(options, *prisms, result);
     if (status != ob::PlannerStatus::EXACT_SOLUTION)
         throw Failure(Exit::OutOfTime, options.planner + " found no dive within " + plain(options.timeS) + " s (" +
                                            status.asString() + "); more --time may help");
@@ -100,7 +132,7 @@ Result planDive(const Options &options, demos::Progress &progress)
         progress.stage("checking");
         result.track = demos::measureTrack(result.dive);
         result.written = writtenDive(result.dive, seabed, options.from, options.to);
-        result.measures = measureWritten(result.written, seabed, *asked);
+        result.measures = measureWritten(result.written, seabed, *asked, options.settings.climb);
         if (result.measures.faultyLeg)
             throw Failure(Exit::NoRoute, "leg " + std::to_string(*result.measures.faultyLeg) +
                                              " of the dive as written does not keep the limits; no dive is given");

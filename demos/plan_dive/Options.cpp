@@ -1,5 +1,6 @@
 #include "Options.h"
 
+#include "PlannerOptions.h"
 #include "common/ChartOptions.h"
 #include "common/CommandLine.h"
 #include "common/Failure.h"
@@ -36,7 +37,7 @@ struct Texts
     std::string to;
     std::string values = "auto";
     std::string spacing = "auto";
-    std::string vehicleLength = "auto";
+    PlannerTexts planner;
     std::string chartDepths = "least";
     std::optional<double> noData;
     bool inDegrees = false;
@@ -82,29 +83,6 @@ void declareDive(CLI::App &app, Options &o, Texts &t)
     app.add_option("--deepest", o.limits.deepestM, "greatest depth that it bears, metres [none]")->type_name("M");
 }
 
-void declarePlanner(CLI::App &app, Options &o, Texts &t)
-{
-    app.add_option("--planner", o.planner, "one of " + demos::divePlannerNames())
-        ->capture_default_str()
-        ->type_name("NAME");
-    app.add_option("--K", o.settings.lengthWeight, "weight of length against danger on slices, 0 to 1")
-        ->capture_default_str()
-        ->type_name("K");
-    app.add_option("--vehicle-length", t.vehicleLength,
-                   "by which lengths are divided on slices, metres; auto: the distance between slices")
-        ->capture_default_str()
-        ->type_name("M|auto");
-    app.add_option("--slices", o.settings.slices, "slices across the course")->capture_default_str()->type_name("N");
-    app.add_option("--across", o.settings.across, "points across each slice")->capture_default_str()->type_name("N");
-    app.add_option("--levels", o.settings.levels, "levels of depth")->capture_default_str()->type_name("N");
-    app.add_option("--time", o.timeS, "time limit of the search, seconds; sampling planners use all of it")
-        ->capture_default_str()
-        ->type_name("S");
-    app.add_option("--seed", o.settings.seed, "seed of ants and sampling planners")
-        ->capture_default_str()
-        ->type_name("N");
-}
-
 void declareOutput(CLI::App &app, Options &o)
 {
     app.add_option("--out", o.out, "write the dive as GeoJSON, heights below the datum negative")->type_name("FILE");
@@ -139,23 +117,6 @@ DivePosition divePosition(const std::string &option, const std::string &text)
     }
 }
 
-/// 0 for auto.
-double positiveOrAuto(const char *option, const std::string &text)
-{
-    if (text == "auto")
-        return 0.0;
-    double value = 0.0;
-    if (!CLI::detail::lexical_cast(text, value) || !std::isfinite(value) || value <= 0.0)
-        usage(std::string(option) + " must be a positive number of metres or auto, not '" + text + "'");
-    return value;
-}
-
-void checkCount(const char *option, unsigned count)
-{
-    if (count < 2 || count > 1000)
-        usage(std::string(option) + " must be 2 to 1000, not " + std::to_string(count));
-}
-
 void checkNumbers(const Options &o)
 {
     demos::requireNotNegative("--clearance", o.limits.clearanceM, "metres");
@@ -164,20 +125,8 @@ void checkNumbers(const Options &o)
         usage("--deepest must be below the ceiling of " + demos::plain(o.limits.ceilingM) + " m, not " +
               demos::plain(o.limits.deepestM) + " m");
     demos::requireNotNegative("--margin", o.marginM, "metres");
-    demos::requireNotNegative("--time", o.timeS, "seconds");
     if (!std::isfinite(o.raster.datumOffsetM))
         usage("--datum-offset must be a number of metres");
-    if (!(o.settings.lengthWeight >= 0.0 && o.settings.lengthWeight <= 1.0))
-        usage("--K must be 0 to 1, not " + demos::plain(o.settings.lengthWeight));
-    checkCount("--slices", o.settings.slices);
-    checkCount("--across", o.settings.across);
-    checkCount("--levels", o.settings.levels);
-    const double points = double(o.settings.slices) * o.settings.across * o.settings.levels;
-    if (points > 1e6)
-        usage("--slices, --across and --levels make " + demos::plain(points) +
-              " points, and at most 1e+06 are possible");
-    if (!demos::isDivePlannerName(o.planner))
-        usage("--planner: there is no planner of dives '" + o.planner + "'; known are " + demos::divePlannerNames());
 }
 
 void checkFiles(const Options &o)
@@ -209,7 +158,7 @@ void checkFiles(const Options &o)
     }
 }
 
-void resolve(Options &o, const Texts &t)
+void resolve(const CLI::App &app, Options &o, const Texts &t)
 {
     if (o.bathymetry.empty() && o.charts.empty())
         usage("--bathymetry or --chart is missing: a seabed is needed");
@@ -227,8 +176,8 @@ void resolve(Options &o, const Texts &t)
     if (t.chartDepths == "interpolated")
         o.chartDepths = seahex::ChartDepths::Interpolated;
     o.spacingM = positiveOrAuto("--spacing", t.spacing);
-    o.settings.vehicleLengthM = positiveOrAuto("--vehicle-length", t.vehicleLength);
     checkNumbers(o);
+    resolvePlanner(app, o, t.planner);
     checkFiles(o);
 }
 
@@ -242,11 +191,11 @@ CommandLine readCommandLine(int argc, const char *const *argv)
     app.footer(footer);
     declareSeabed(app, options, texts);
     declareDive(app, options, texts);
-    declarePlanner(app, options, texts);
+    declarePlanner(app, options, texts.planner);
     declareOutput(app, options);
     if (const auto help = demos::parseCommandLine(app, argc, argv))
         return {std::nullopt, *help};
-    resolve(options, texts);
+    resolve(app, options, texts);
     return {options, ""};
 }
 

@@ -49,6 +49,7 @@ Json diveJson(const Result &result)
             {"least_water_m", number(m.leastWaterM)},
             {"least_depth_m", number(m.leastDepthM)},
             {"greatest_depth_m", number(m.greatestDepthM)},
+            {"steepest", number(m.steepest)},
             {"waypoints", waypoints}};
 }
 
@@ -96,6 +97,7 @@ std::string jsonReport(const Options &options, const Result &result)
                           {{"clearance_m", number(limits.clearanceM)},
                            {"ceiling_m", number(limits.ceilingM)},
                            {"deepest_m", number(limits.deepestM)},
+                           {"climb", options.settings.climb > 0.0 ? Json(options.settings.climb) : Json(nullptr)},
                            {"margin_m", number(options.marginM)}}},
                          {"seabed", seabedJson(result)}};
     return report.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -127,8 +129,9 @@ std::string textReport(const Options &options, const Result &result)
                       result.figures->danger, result.figures->total, options.settings.lengthWeight);
     out << format("dive      %.0f m, %s, %zu waypoints\n", m.lengthM, courseText(result.track).c_str(),
                   result.written.waypoints.size());
-    out << format("          %.2f to %.2f m deep, %.2f m of water below at least\n", m.leastDepthM, m.greatestDepthM,
-                  m.leastWaterM);
+    out << format("          %.2f to %.2f m deep, %.2f m of water below at least, %s at the steepest\n", m.leastDepthM,
+                  m.greatestDepthM, m.leastWaterM,
+                  std::isfinite(m.steepest) ? format("%.4f m a metre", m.steepest).c_str() : "straight up or down");
     for (const std::string *file : {&options.out, &options.profile, &options.picture})
         if (!file->empty())
             out << "wrote     " << *file << "\n";

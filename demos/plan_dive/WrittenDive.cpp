@@ -21,6 +21,14 @@ double writtenDepth(double depthM)
     return std::abs(nearest - depthM) < 1e-9 ? nearest : std::floor(depthM * perMetre) / perMetre;
 }
 
+/// Is a leg steeper than can come of rounding its ends (a centimetre over ground, a millimetre of depth each)?
+bool isTooSteep(double lengthM, double descentM, double climb)
+{
+    constexpr double roundedM = 0.02;
+    constexpr double roundedDepthM = 0.002;
+    return climb > 0.0 && std::abs(descentM) > climb * (lengthM + roundedM) + roundedDepthM;
+}
+
 /// One leg's positions but the first.
 void appendLeg(GeoRoute &written, const Point3 &a, const Point3 &b, const Seabed &seabed, const GeoPoint &to)
 {
@@ -52,7 +60,8 @@ GeoRoute writtenDive(const std::vector<Point3> &dive, const Seabed &seabed, cons
     return written;
 }
 
-WrittenMeasures measureWritten(const GeoRoute &written, const Seabed &seabed, const seahex::DiveArena &arena)
+WrittenMeasures measureWritten(const GeoRoute &written, const Seabed &seabed, const seahex::DiveArena &arena,
+                               double climb)
 {
     std::vector<Point3> points;
     for (std::size_t i = 0; i < written.waypoints.size(); ++i)
@@ -67,10 +76,14 @@ WrittenMeasures measureWritten(const GeoRoute &written, const Seabed &seabed, co
     measures.greatestDepthM = *greatest;
     for (std::size_t i = 1; i < points.size(); ++i)
     {
-        measures.lengthM += std::hypot(rhumbLeg(written.waypoints[i - 1], written.waypoints[i]).lengthM,
-                                       points[i].z() - points[i - 1].z());
+        const double overGroundM = rhumbLeg(written.waypoints[i - 1], written.waypoints[i]).lengthM;
+        const double descentM = points[i].z() - points[i - 1].z();
+        measures.lengthM += std::hypot(overGroundM, descentM);
+        if (descentM != 0.0)
+            measures.steepest = std::max(measures.steepest, std::abs(descentM) / overGroundM);
         measures.leastWaterM = std::min(measures.leastWaterM, seabed.depths->leastWaterBelow(points[i - 1], points[i]));
-        if (!measures.faultyLeg && !arena.isFree(points[i - 1], points[i]))
+        if (!measures.faultyLeg &&
+            (!arena.isFree(points[i - 1], points[i]) || isTooSteep(overGroundM, descentM, climb)))
             measures.faultyLeg = i;
     }
     return measures;

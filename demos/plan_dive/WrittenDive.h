@@ -28,9 +28,13 @@ struct WrittenMeasures
     double leastWaterM = 0.0;  ///< between the dive and the seabed below
     double leastDepthM = 0.0;
     double greatestDepthM = 0.0;
+    double steepest = 0.0;                 ///< most metres up or down in a metre over ground; infinite on the spot
     std::optional<std::size_t> faultyLeg;  ///< the first, from 1, that does not keep the limits
 };
 
-WrittenMeasures measureWritten(const seahex::GeoRoute &written, const Seabed &seabed, const seahex::DiveArena &arena);
+/// @param climb  the steepest that the vehicle climbs or dives; 0: not limited. The limit is kept to the rounding of
+///               what is written
+WrittenMeasures measureWritten(const seahex::GeoRoute &written, const Seabed &seabed, const seahex::DiveArena &arena,
+                               double climb);
 
 }  // namespace plan_dive

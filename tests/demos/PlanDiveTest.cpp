@@ -92,15 +92,12 @@ protected:
     /// Across the ridge of `ridge()`, too deep to pass above but through the gap.
     Arguments acrossTheRidge() const
     {
-        return {"--bathymetry", write(ridge()),
-                "--from",       "45.02,10.003@50",
-                "--to",         "45.02,10.037@60",
-                "--clearance",  "10",
-                "--ceiling",    "30",
-                "--slices",     "35",
-                "--across",     "31",
-                "--levels",     "15"};
+        return {"--bathymetry",    write(ridge()), "--from", "45.02,10.003@50", "--to",
+                "45.02,10.037@60", "--clearance",  "10",     "--ceiling",       "30"};
     }
+
+    /// Fine enough slices for it.
+    static Arguments slices() { return {"--slices", "35", "--across", "31", "--levels", "15"}; }
 
     Json dive(const Arguments &arguments) const
     {
@@ -138,11 +135,14 @@ protected:
 TEST_F(PlanDive, findsTheGapInTheRidgeAndWritesItDown)
 {
     const Arguments base = acrossTheRidge();
-    for (const char *planner : {"LayeredPlanner", "AntColony", "RRTstar", "BITstar", "PRMstar"})
+    for (const char *planner : {"LayeredPlanner", "AntColony", "PrismAStar", "RRTstar", "BITstar", "PRMstar"})
     {
         SCOPED_TRACE(planner);
+        const bool isOnSlices = planner == std::string("LayeredPlanner") || planner == std::string("AntColony");
+        const bool ends = isOnSlices || planner == std::string("PrismAStar");  // the others use all of their time
         const std::string out = (folder_ / "dive.geojson").string();
-        const Json report = dive(base + Arguments{"--planner", planner, "--time", "0.6", "--out", out});
+        const Json report = dive(base + (isOnSlices ? slices() : Arguments{}) +
+                                 Arguments{"--planner", planner, "--time", ends ? "60" : "0.6", "--out", out});
         ASSERT_TRUE(report.is_object());
         EXPECT_EQ(report.at("status"), "dive");
         const Json file = Json::parse(readBytes(out));
@@ -164,9 +164,82 @@ TEST_F(PlanDive, findsTheGapInTheRidgeAndWritesItDown)
         }
         EXPECT_GE(report.at("dive").at("least_water_m").get<double>(), 10.0);
         EXPECT_GE(report.at("dive").at("length_m").get<double>(), 2679.0) << "the straight line";
-        EXPECT_EQ(report.at("slices").is_object(), planner != std::string("RRTstar") &&
-                                                       planner != std::string("BITstar") &&
-                                                       planner != std::string("PRMstar"));
+        EXPECT_EQ(report.at("slices").is_object(), isOnSlices);
+    }
+}
+
+/// The steepest leg of a written line, in metres up or down for a metre on a sphere of the earth's least radius of
+/// curvature, that of a meridian at the equator.
+double steepestOnSphere(const Json &positions)
+{
+    constexpr double metresPerDegree = 6335439.0 * 3.14159265358979323846 / 180.0;
+    double steepest = 0.0;
+    for (std::size_t i = 1; i < positions.size(); ++i)
+    {
+        const auto by = [&](std::size_t k)
+        {
+            return positions[i][k].get<double>() - positions[i - 1][k].get<double>();
+        };
+        const double northM = by(1) * metresPerDegree;
+        const double eastM = by(0) * metresPerDegree * std::cos(45.03 * 3.14159265358979323846 / 180.0);
+        steepest = std::max(steepest, std::abs(by(2)) / std::hypot(northM, eastM));
+    }
+    return steepest;
+}
+
+TEST_F(PlanDive, aVehicleThatClimbsLittleGoesRoundTheRidge)
+{
+    const std::string out = (folder_ / "dive.geojson").string();
+    const Arguments base{"--bathymetry",     write(ridge()), "--from", "45.011,10.003@50", "--to",
+                         "45.011,10.037@60", "--clearance",  "10",     "--planner",        "PrismAStar"};
+    const auto southernmost = [&](const Json &positions)
+    {
+        double least = 90.0;
+        for (const Json &p : positions)
+            least = std::min(least, p.at(1).get<double>());
+        return least;
+    };
+    const auto written = [&]
+    {
+        return Json::parse(readBytes(out)).at("features").at(0).at("geometry").at("coordinates");
+    };
+    const Json free = dive(base + Arguments{"--out", out});
+    ASSERT_TRUE(free.is_object());
+    EXPECT_GT(southernmost(written()), 45.0105) << "straight over it, climbing 40 m";
+    EXPECT_GT(free.at("dive").at("steepest").get<double>(), 0.025);
+    EXPECT_TRUE(free.at("limits").at("climb").is_null());
+
+    const Json limited = dive(base + Arguments{"--climb", "0.02", "--out", out});
+    ASSERT_TRUE(limited.is_object());
+    EXPECT_LT(southernmost(written()), 45.009) << "through the gap";
+    EXPECT_LE(steepestOnSphere(written()), 0.02 * 1.01);
+    EXPECT_LE(limited.at("dive").at("steepest").get<double>(), 0.02 * 1.001);
+    EXPECT_EQ(limited.at("limits").at("climb"), 0.02);
+
+    expectRefusal(base + Arguments{"--climb", "0.0001"}, NoDive, {"PrismAStar", "climb of 0.0001"});
+}
+
+TEST_F(PlanDive, prismsAreAsFineAsAskedFor)
+{
+    TestRaster wall = ridge();
+    for (std::size_t i = 20; i < wall.values.size(); i += static_cast<std::size_t>(wall.columns))
+        wall.values[i] = 1.0;
+    const Arguments base{"--bathymetry", write(wall),       "--from",    "45.02,10.003@50",
+                         "--to",         "45.02,10.037@60", "--planner", "PrismAStar"};
+    expectRefusal(base + Arguments{"--cell-size", "100", "--layer", "5"}, NoDive, {"cells of 100 m", " 13 layers"});
+    expectRefusal(base + Arguments{"--layer", "20"}, NoDive, {" 4 layers"});
+    // other rings and cells, another dive
+    const auto length = [&](const Arguments &more)
+    {
+        const Json report = dive(acrossTheRidge() + Arguments{"--planner", "PrismAStar"} + more);
+        return report.is_object() ? report.at("dive").at("length_m").get<double>() : 0.0;
+    };
+    const double usual = length({});
+    for (const Arguments &more : std::vector<Arguments>{{"--rings", "1"}, {"--cell-size", "150"}})
+    {
+        const double other = length(more);
+        EXPECT_NE(other, usual) << testing::PrintToString(more);
+        EXPECT_NEAR(other, usual, 0.05 * usual) << testing::PrintToString(more);
     }
 }
 
@@ -189,7 +262,7 @@ TEST_F(PlanDive, exactIsNoWorseThanGreedyAndMoreDangerIsShorter)
 
 TEST_F(PlanDive, theSameSeedGivesTheSameDive)
 {
-    const Arguments base = acrossTheRidge() + Arguments{"--planner", "AntColony", "--seed", "5"};
+    const Arguments base = acrossTheRidge() + slices() + Arguments{"--planner", "AntColony", "--seed", "5"};
     EXPECT_EQ(dive(base).at("dive"), dive(base).at("dive"));
 }
 
@@ -199,7 +272,8 @@ TEST_F(PlanDive, drawsBothPictures)
     {
         const std::string profile = (folder_ / (std::string("profile") + extension)).string();
         const std::string picture = (folder_ / (std::string("seabed") + extension)).string();
-        const ProgramResult result = run(acrossTheRidge() + Arguments{"--profile", profile, "--picture3d", picture});
+        const ProgramResult result =
+            run(acrossTheRidge() + slices() + Arguments{"--profile", profile, "--picture3d", picture});
         ASSERT_EQ(result.exitCode, 0) << result.summary();
         for (const std::string &file : {profile, picture})
         {
@@ -268,7 +342,7 @@ TEST_F(PlanDive, refusesWhereNoWayIs)
 
 TEST_F(PlanDive, refusesWrongUsage)
 {
-    const Arguments base = acrossTheRidge();
+    const Arguments base = acrossTheRidge() + slices();
     for (const auto &[more, word] :
          std::vector<std::pair<Arguments, std::string>>{{{"--planner", "HexAStar"}, "HexAStar"},
                                                         {{"--K", "2"}, "--K"},
@@ -278,6 +352,8 @@ TEST_F(PlanDive, refusesWrongUsage)
                                                         {{"--levels", "1000", "--across", "1000"}, "points"},
                                                         {{"--values", "colours"}, "--values"},
                                                         {{"--vehicle-length", "0"}, "--vehicle-length"},
+                                                        {{"--climb", "0.1"}, "PrismAStar"},
+                                                        {{"--planner", "RRTstar"}, "--slices"},
                                                         {{"--nonsense"}, "--nonsense"}})
     {
         Arguments replaced = base;
@@ -287,6 +363,11 @@ TEST_F(PlanDive, refusesWrongUsage)
                      : it + 1;
         expectRefusal(replaced + more, Usage, {word});
     }
+    const Arguments prisms = acrossTheRidge() + Arguments{"--planner", "PrismAStar"};
+    for (const auto &[option, value] : std::vector<std::pair<std::string, std::string>>{
+             {"--climb", "-0.1"}, {"--climb", "nan"}, {"--rings", "4"}, {"--cell-size", "0"}, {"--layer", "thin"}})
+        expectRefusal(prisms + Arguments{option, value}, Usage, {option});
+    expectRefusal(prisms + Arguments{"--K", "0.5"}, Usage, {"--K", "PrismAStar", "LayeredPlanner"});
     const std::string file = write(ridge());
     expectRefusal({"--from", "45.02,10.003@50", "--to", "45.02,10.037@60"}, Usage, {"--bathymetry"});
     expectRefusal({"--bathymetry", file, "--from", "45.02,10.003", "--to", "45.02,10.037@60"}, Usage,
@@ -302,8 +383,9 @@ TEST_F(PlanDive, helpNamesEveryOption)
     const ProgramResult result = run({"--help"});
     EXPECT_EQ(result.exitCode, 0);
     for (const char *option :
-         {"--bathymetry", "--chart", "--from", "--to", "--clearance", "--ceiling", "--deepest", "--K", "--planner",
-          "--time", "--seed", "--out", "--profile", "--picture3d", "--json", "Exit codes", "NOT FOR NAVIGATION"})
+         {"--bathymetry", "--chart",   "--from",    "--to",        "--clearance", "--ceiling",  "--deepest",
+          "--K",          "--planner", "--climb",   "--rings",     "--cell-size", "--layer",    "--time",
+          "--seed",       "--out",     "--profile", "--picture3d", "--json",      "Exit codes", "NOT FOR NAVIGATION"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
 }
 
