@@ -62,7 +62,7 @@ void declareSeabed(CLI::App &app, Options &o, Texts &t)
         ->capture_default_str()
         ->type_name("M|auto");
     app.add_option("--chart-depths", t.chartDepths,
-                   "between soundings: least (what depth areas promise) or interpolated")
+                   "between soundings: least (what depth areas promise) or interpolated (soundings and contours)")
         ->capture_default_str()
         ->type_name("NAME");
     app.add_option("--margin", o.marginM, "least distance to what stands in the chart's water, metres")

@@ -15,11 +15,19 @@ struct DraftHazard
     Shape lonLat;
 };
 
+/// A contour of a cell.
+struct DraftContour
+{
+    double depthM;
+    Shape lonLat;
+};
+
 /// All that is known of one cell before it becomes part of a chart.
 struct CellContents
 {
     CellReport report;
     std::vector<DraftHazard> hazards;
+    std::vector<DraftContour> contours;
     std::vector<Polygon> coverage;    ///< the areas of M_COVR with CATCOV 1, as read
     std::vector<Polygon> noData;      ///< the areas of M_COVR with another CATCOV: no data within them
     double gridUnitsPerDegree = 1e7;  ///< the grid on which its coordinates are whole numbers

@@ -1,5 +1,6 @@
 #include "seahex/chart/ChartBathymetry.h"
 
+#include "ContourMarks.h"
 #include "SoundingSurface.h"
 
 #include "seahex/chart/ChartError.h"
@@ -122,9 +123,11 @@ float depthOr(const std::optional<double> &depthM, float otherwise)
     return depthM && std::isfinite(*depthM) ? roundedUpwards(*depthM) : otherwise;
 }
 
-Sorted sortByDepth(const std::vector<Hazard> &hazards)
+Sorted sortByDepth(const std::vector<Hazard> &hazards, const std::vector<PlaneContour> &contours)
 {
     Sorted sorted;
+    for (const PlaneContour &contour : contours)
+        sorted.limits[roundedUpwards(contour.depthM)].push_back(&contour.shape);
     for (const Hazard &hazard : hazards)
     {
         const HazardObject &object = *hazard.object;
@@ -148,6 +151,23 @@ Sorted sortByDepth(const std::vector<Hazard> &hazards)
             sorted.limits[UNKNOWN].push_back(&hazard.shape);
     }
     return sorted;
+}
+
+std::vector<PlaneContour> projectContours(const Chart &chart, const Projection &projection)
+{
+    std::vector<PlaneContour> contours;
+    for (const DepthContour &contour : chart.contours)
+        contours.push_back({contour.depthM, projection.forward(contour.shape)});
+    return contours;
+}
+
+/// Soundings and contours as one surface at the nodes of a grid.
+std::vector<float> estimate(std::vector<PlaneSounding> soundings, const std::vector<PlaneContour> &contours,
+                            const NodeGrid &grid)
+{
+    const std::vector<PlaneSounding> marks = contourMarks(contours, grid);
+    soundings.insert(soundings.end(), marks.begin(), marks.end());
+    return soundingSurface(soundings, grid);
 }
 
 Box boxOf(const Shape &coverage)
@@ -178,11 +198,12 @@ std::shared_ptr<const Bathymetry> chartBathymetry(const Chart &chart, const Proj
     if (!projection.isMetric())
         throw std::domain_error("the bathymetry of a chart needs a frame in metres");
     const std::vector<Hazard> hazards = projectHazards(chart, projection);
+    const std::vector<PlaneContour> contours = projectContours(chart, projection);
     const Shape coverage = projection.forward(chart.coverage);
     const Box box = boxOf(coverage);
     const SquareLattice lattice = cellsOver(box, spacingM);
     const double radius = projection.edgeToleranceM() * projection.largestScale(box) + ROUNDING_M;
-    const Sorted sorted = sortByDepth(hazards);
+    const Sorted sorted = sortByDepth(hazards, contours);
 
     LeastByCell least(lattice);
     LeastByCell limit(lattice);
@@ -198,7 +219,7 @@ std::shared_ptr<const Bathymetry> chartBathymetry(const Chart &chart, const Proj
     const NodeGrid grid(bounds.min, Point(spacingM, spacingM), lattice.columns() + 1, lattice.rows() + 1);
     std::vector<float> surface;
     if (depths == ChartDepths::Interpolated)
-        surface = soundingSurface(sorted.soundings, grid);
+        surface = estimate(sorted.soundings, contours, grid);
     std::vector<float> nodes(static_cast<std::size_t>(grid.nodeCount()), NO_LIMIT);
     const auto indexOf = [&grid](std::int64_t column, std::int64_t row)
     {

@@ -138,6 +138,8 @@ Chart pool(std::vector<CellContents> cells)
         for (DraftHazard &hazard : cell.hazards)
             chart.hazards.push_back(
                 {std::make_shared<const HazardObject>(std::move(hazard.object)), GeoShape{std::move(hazard.lonLat)}});
+        for (DraftContour &contour : cell.contours)
+            chart.contours.push_back({contour.depthM, GeoShape{std::move(contour.lonLat)}});
         chart.cells.push_back(std::move(cell.report));
     }
     return chart;

@@ -124,7 +124,8 @@ void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
     const HazardClass *row = findHazardClass(objectClass_);
     if (row == nullptr && !isCoverage)
         return cell_.skip(whyNotJudged(objectClass_), objectClass_);
-    if (row != nullptr && row->rule == HazardRule::Ignored)
+    const bool isContour = objectClass_ == "DEPCNT";
+    if (row != nullptr && row->rule == HazardRule::Ignored && !isContour)
         return cell_.skip("ignored by rule", objectClass_);
 
     const OGRGeometry *geometry = feature.GetGeometryRef();
@@ -139,6 +140,8 @@ void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
 
     if (isCoverage)
         readCoverage(feature);
+    else if (isContour)
+        readContour(feature);
     else if (row->rule == HazardRule::Sounding)
         readSounding(feature, *row);
     else
@@ -156,6 +159,16 @@ void LayerReader::readCoverage(const OGRFeature &feature)
     if (areas.empty())
         return cell_.skip("coverage without an area", objectClass_);
     std::move(areas.begin(), areas.end(), std::back_inserter(cell_.coverage));
+    ++cell_.report.featuresUsed;
+}
+
+/// What there is of a broken line still has its depth.
+void LayerReader::readContour(const OGRFeature &feature)
+{
+    const std::vector<double> depth = fields_.numbers(feature, "VALDCO");
+    if (depth.size() != 1 || !std::isfinite(depth.front()))
+        return cell_.skip("contour without a depth (VALDCO)", objectClass_);
+    cell_.contours.push_back({depth.front(), toShape(*geometryInDegrees(feature), who(feature))});
     ++cell_.report.featuresUsed;
 }
 

@@ -33,6 +33,7 @@ private:
     void readFeature(OGRFeature &feature, bool isBroken);
     void readCoverage(const OGRFeature &feature);
     void readUnits(const OGRFeature &feature);
+    void readContour(const OGRFeature &feature);
     void readSounding(const OGRFeature &feature, const HazardClass &row);
     void readHazard(const OGRFeature &feature, const HazardClass &row);
     std::unique_ptr<OGRGeometry> geometryInDegrees(const OGRFeature &feature) const;

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace seahex;
@@ -200,6 +201,154 @@ TEST_F(Bay, columnsOfTheChartAreAllThatIsNoSeabed)
     EXPECT_FALSE(isFree(50.01, 10.01)) << "a pile";
     EXPECT_FALSE(isFree(50.01, 10.045)) << "land";
     EXPECT_FALSE(isFree(50.11, 10.05)) << "off the chart";
+}
+
+/// What DRVAL1 and DRVAL2 of depth areas say, their contours say as well.
+void expectContoursToAddNothing(const std::string &path, double spacingM)
+{
+    SCOPED_TRACE(path);
+    Chart chart = readChart(path);
+    EXPECT_GT(chart.contours.size(), 20u);
+    const Projection frame = Projection::transverseMercator(chart.bounds.centre());
+    const auto with = chartBathymetry(chart, frame, spacingM);
+    chart.contours.clear();
+    const auto without = chartBathymetry(chart, frame, spacingM);
+    for (std::int64_t row = 0; row < with->grid().rows(); ++row)
+        for (std::int64_t column = 0; column < with->grid().columns(); ++column)
+            ASSERT_EQ(with->nodeDepth(column, row), without->nodeDepth(column, row));
+}
+
+/// How far the estimate is off, in the median, at soundings that it was not made of.
+double medianMiss(const Chart &whole, bool withContours, double spacingM)
+{
+    Chart chart = whole;
+    if (!withContours)
+        chart.contours.clear();
+    std::vector<const GeoHazard *> unseen;
+    chart.hazards.clear();
+    std::size_t soundings = 0;
+    for (const GeoHazard &hazard : whole.hazards)
+        if (hazard.object->rule == HazardRule::Sounding && soundings++ % 4 == 0)
+            unseen.push_back(&hazard);
+        else
+            chart.hazards.push_back(hazard);
+    const Projection frame = Projection::transverseMercator(chart.bounds.centre());
+    const auto estimate = chartBathymetry(chart, frame, spacingM, ChartDepths::Interpolated);
+    std::vector<double> misses;
+    for (const GeoHazard *hazard : unseen)
+    {
+        const Point &lonLat = hazard->shape.lonLat.points.front();
+        const double depth = depthAt(*estimate, frame, {lonLat.y(), lonLat.x()});
+        if (std::isfinite(depth))
+            misses.push_back(std::abs(depth - hazard->object->value("DEPTH").value()));
+    }
+    EXPECT_GT(misses.size(), unseen.size() / 2);
+    const auto middle = misses.begin() + static_cast<std::ptrdiff_t>(misses.size() / 2);
+    std::nth_element(misses.begin(), middle, misses.end());
+    return *middle;
+}
+
+/// Deep water with soundings of 60 m, two of them near by on both sides of a long contour, with contours of which one
+/// has no depth and another is shoaler than the area that it lies in.
+class Contours : public ::testing::Test
+{
+protected:
+    Contours()
+    {
+        writeChart(folder / "contours.gpkg",
+                   {{"M_COVR", {{boxWkt(10.0, 50.0, 10.1, 50.1), {{"CATCOV", 1}}}}},
+                    {"DEPARE", {{boxWkt(10.0, 50.0, 10.1, 50.1), {{"DRVAL1", 20.0}, {"DRVAL2", 100.0}}}}},
+                    {"SOUNDG",
+                     {{"POINT (10.01 50.01)", {{"DEPTH", 60.0}}},
+                      {"POINT (10.09 50.01)", {{"DEPTH", 60.0}}},
+                      {"POINT (10.01 50.09)", {{"DEPTH", 60.0}}},
+                      {"POINT (10.09 50.09)", {{"DEPTH", 60.0}}},
+                      {"POINT (10.045 50.05)", {{"DEPTH", 60.0}}},
+                      {"POINT (10.055 50.05)", {{"DEPTH", 60.0}}}}},
+                    {"DEPCNT",
+                     {{"LINESTRING (10.05 50.01,10.05 50.09)", {{"VALDCO", 30.0}}},
+                      {"LINESTRING (10.07 50.01,10.07 50.015)", {{"VALDCO", 15.0}}},
+                      {"LINESTRING (10.02 50.01,10.02 50.09)", {}}}}});
+        chart = readChart((folder / "contours.gpkg").string());
+    }
+
+    double at(ChartDepths depths, double latitude, double longitude) const
+    {
+        return depthAt(*chartBathymetry(chart, frame, 50.0, depths), frame, {latitude, longitude});
+    }
+
+    TemporaryFolder folder;
+    Chart chart;
+    Projection frame = Projection::transverseMercator(GeoPoint::fromLatLon(50.05, 10.05));
+};
+
+TEST_F(Contours, areReadWithTheirDepths)
+{
+    ASSERT_EQ(chart.contours.size(), 2u);
+    EXPECT_EQ(chart.contours[0].depthM, 30.0);
+    EXPECT_EQ(chart.contours[1].depthM, 15.0);
+    EXPECT_EQ(chart.contours[0].shape.lonLat.lines.size(), 1u);
+    EXPECT_EQ(chart.cells.front().skipped.at("contour without a depth (VALDCO)").at("DEPCNT"), 1u);
+}
+
+TEST_F(Contours, bendTheEstimateBetweenTheirEnds)
+{
+    EXPECT_EQ(at(ChartDepths::Interpolated, 50.05, 10.05), 30.0);
+    // half way from 60 m at 10.045 to 30 m, less a cell's slope
+    EXPECT_GT(at(ChartDepths::Interpolated, 50.05, 10.0475), 38.0);
+    EXPECT_LE(at(ChartDepths::Interpolated, 50.05, 10.0475), 45.0);
+    chart.contours.clear();
+    EXPECT_NEAR(at(ChartDepths::Interpolated, 50.05, 10.0475), 60.0, 1e-3);
+}
+
+TEST_F(Contours, boundTheDepthWhereTheyAreShoalerThanTheirArea)
+{
+    EXPECT_EQ(at(ChartDepths::Least, 50.05, 10.05), 20.0);
+    EXPECT_EQ(at(ChartDepths::Least, 50.012, 10.07), 15.0);
+    EXPECT_EQ(at(ChartDepths::Interpolated, 50.012, 10.07), 15.0);
+    EXPECT_EQ(at(ChartDepths::Least, 50.02, 10.07), 20.0);
+}
+
+TEST(ChartBathymetry, hasAllContoursOfARealChart)
+{
+    const std::string path = std::string(SEAHEX_MAPS_DIR) + "/shangchuan.000";
+    const Chart chart = readChart(path);
+    std::size_t corners = 0;
+    double sum = 0.0;
+    for (const DepthContour &contour : chart.contours)
+        for (const auto &line : contour.shape.lonLat.lines)
+        {
+            corners += line.size();
+            sum += contour.depthM * static_cast<double>(line.size());
+        }
+    double sumOfGdal = 0.0;
+    const auto ofGdal = pointsOf(path, "DEPCNT", "VALDCO");
+    for (const auto &[at, value] : ofGdal)
+        sumOfGdal += value;
+    EXPECT_EQ(corners, ofGdal.size());
+    EXPECT_NEAR(sum, sumOfGdal, 1e-6);
+}
+
+TEST(ChartBathymetry, contoursAddNothingToWhatDepthAreasPromise)
+{
+    for (const char *chart : {"/sanya.000", "/shangchuan.000"})
+        expectContoursToAddNothing(SEAHEX_MAPS_DIR + std::string(chart), 200.0);
+}
+
+TEST(ChartBathymetry, contoursAddNothingToWhatDepthAreasOfRealChartsPromise)
+{
+    SEAHEX_TEST_DATA_OR_SKIP(charts, "charts");
+    expectContoursToAddNothing((charts / "noaa/US5MA12M/US5MA12M.000").string(), 40.0);
+    expectContoursToAddNothing((charts / "noaa/US4MD81M/US4MD81M.000").string(), 200.0);
+}
+
+TEST(ChartBathymetry, contoursBringTheEstimateNearerToSoundingsThatItHasNotSeen)
+{
+    for (const char *name : {"/sanya.000", "/shangchuan.000"})
+    {
+        const Chart chart = readChart(SEAHEX_MAPS_DIR + std::string(name));
+        EXPECT_LT(medianMiss(chart, true, 100.0), 0.8 * medianMiss(chart, false, 100.0)) << name;
+    }
 }
 
 TEST(ChartBathymetry, isALowerBoundOnTheChartsOfTheProject)

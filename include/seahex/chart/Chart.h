@@ -58,6 +58,13 @@ struct CellReport
     std::vector<std::string> warnings;  ///< each one sentence
 };
 
+/// A line of equal depth (DEPCNT), in degrees. It is no hazard: it tells of the seabed.
+struct DepthContour
+{
+    double depthM = 0.0;  ///< VALDCO, below the sounding datum; what dries is negative
+    GeoShape shape;
+};
+
 /// Chart objects in degrees with their provenance, as read from one or more sources. A value: copy and share freely.
 ///
 /// Several cells are pooled: every hazard of every cell counts, and the coverage is the union of theirs. Where two
@@ -67,10 +74,11 @@ struct Chart
     /// Every object of a class in the catalogue, but for those that are ignored; and the gaps of the group 1 areas,
     /// whose rule is ChartGap and whose class is that of the coverage, M_COVR. Each sounding is an object of its own.
     std::vector<GeoHazard> hazards;
-    GeoShape coverage;              ///< areas only: M_COVR with CATCOV 1, united; water outside is unknown
-    GeoBox bounds;                  ///< of the coverage
-    std::vector<CellReport> cells;  ///< one per cell
-    double readMs = 0.0;            ///< wall time of reading, milliseconds
+    std::vector<DepthContour> contours;  ///< those whose depth is known
+    GeoShape coverage;                   ///< areas only: M_COVR with CATCOV 1, united; water outside is unknown
+    GeoBox bounds;                       ///< of the coverage
+    std::vector<CellReport> cells;       ///< one per cell
+    double readMs = 0.0;                 ///< wall time of reading, milliseconds
 };
 
 }  // namespace seahex

@@ -26,7 +26,7 @@ enum class HazardRule
     Overhead,    ///< BRIDGE, CBLOHD, ...: reported where a route crosses it, not judged yet
     Regulation,  ///< RESARE, TSSLPT, ...: reported where a route crosses it, not judged yet
     Quality,     ///< M_QUAL and relatives: reported, not judged yet
-    Ignored      ///< says nothing about where a vessel may go (SWPARE, DEPCNT)
+    Ignored      ///< says nothing about where a vessel may go (SWPARE; DEPCNT, whose depths are the areas' beside it)
 };
 
 /// One attribute of a chart object, by its S-57 acronym. S-57's enumerations, lists and measures are all numbers.
