@@ -30,7 +30,8 @@ std::string boundsOf(const Seabed &seabed)
 }
 
 /// What depths would do at a place with so much water; empty if the one asked for does.
-std::string depthFault(const seahex::DiveLimits &limits, double seabedM, double depthM)
+/// @param aboveCablesM  that the seabed counts as higher where cables lie
+std::string depthFault(const seahex::DiveLimits &limits, double seabedM, double depthM, double aboveCablesM)
 {
     const double lowest = std::min(seabedM - limits.clearanceM - seahex::DiveArena::roundingM, limits.deepestM);
     if (depthM >= limits.ceilingM && depthM <= lowest)
@@ -40,7 +41,8 @@ std::string depthFault(const seahex::DiveLimits &limits, double seabedM, double 
                             ? "below the greatest depth of " + plain(limits.deepestM) + " m"
                             : "too deep: the seabed lies at " + metres(seabedM) + " and " + plain(limits.clearanceM) +
                                   " m of clearance are wanted (" + plain(writingInHandM) +
-                                  " m of it for the rounding of positions)";
+                                  " m of it for the rounding of positions)" +
+                                  (aboveCablesM > 0.0 ? ", where cables lie " + plain(aboveCablesM) + " m more" : "");
     return fault + (lowest >= limits.ceilingM
                         ? "; " + plain(limits.ceilingM) + " m to " + metres(lowest) + " would do there"
                         : "; no depth would do there, where the seabed lies at " + metres(seabedM));
@@ -74,7 +76,8 @@ seahex::Point3 endInWater(const Seabed &seabed, const seahex::DiveArena &arena, 
         refuse("lies where the depth of the seabed is unknown");
     if (depthM <= 0.0)
         refuse("lies on land, " + metres(-depthM) + " above the datum");
-    if (const std::string fault = depthFault(arena.limits(), depthM, position.depthM); !fault.empty())
+    if (const std::string fault = depthFault(arena.limits(), depthM, position.depthM, seabed.aboveCablesM);
+        !fault.empty())
         refuse("is " + fault);
     if (const std::string fault = chartFault(seabed, p); !fault.empty())
         refuse("is not navigable: " + fault);

@@ -68,6 +68,10 @@ void declareSeabed(CLI::App &app, Options &o, Texts &t)
     app.add_option("--margin", o.marginM, "least distance to what stands in the chart's water, metres")
         ->capture_default_str()
         ->type_name("M");
+    app.add_option("--cross-cables", o.crossCablesM,
+                   "cross the chart's submarine cables and cable areas above them, so many metres higher than the "
+                   "clearance over bare seabed [cables are kept out of at every depth]")
+        ->type_name("M");
 }
 
 void declareDive(CLI::App &app, Options &o, Texts &t)
@@ -125,6 +129,10 @@ void checkNumbers(const Options &o)
         usage("--deepest must be below the ceiling of " + demos::plain(o.limits.ceilingM) + " m, not " +
               demos::plain(o.limits.deepestM) + " m");
     demos::requireNotNegative("--margin", o.marginM, "metres");
+    if (o.crossCablesM)
+        demos::requireNotNegative("--cross-cables", *o.crossCablesM, "metres");
+    if (o.crossCablesM && o.charts.empty())
+        usage("--cross-cables needs --chart: a raster knows no cables");
     if (!std::isfinite(o.raster.datumOffsetM))
         usage("--datum-offset must be a number of metres");
 }

@@ -30,6 +30,8 @@ struct Options
     double spacingM = 0.0;  ///< of the charts' cells; 0: automatic
     seahex::ChartDepths chartDepths = seahex::ChartDepths::Least;
     double marginM = 0.0;  ///< least distance to what stands in the charts' water
+    /// Cables are crossed above, with so much more than the clearance; empty: they are columns to keep out of.
+    std::optional<double> crossCablesM;
     DivePosition from;
     DivePosition to;
     seahex::DiveLimits limits;

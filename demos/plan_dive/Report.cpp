@@ -98,7 +98,8 @@ std::string jsonReport(const Options &options, const Result &result)
                            {"ceiling_m", number(limits.ceilingM)},
                            {"deepest_m", number(limits.deepestM)},
                            {"climb", options.settings.climb > 0.0 ? Json(options.settings.climb) : Json(nullptr)},
-                           {"margin_m", number(options.marginM)}}},
+                           {"margin_m", number(options.marginM)},
+                           {"cross_cables_m", options.crossCablesM ? Json(*options.crossCablesM) : Json(nullptr)}}},
                          {"seabed", seabedJson(result)}};
     return report.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -3,6 +3,7 @@
 #include "common/Arena.h"
 #include "common/Failure.h"
 
+#include <seahex/chart/CableCrossing.h>
 #include <seahex/chart/ChartError.h>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ std::shared_ptr<const seahex::ChartArena> arenaAround(const Options &options, co
 {
     seahex::ArenaOptions arena;
     arena.projection = projection;
-    arena.scope = seahex::HazardScope::WaterColumn;
+    arena.scope = options.crossCablesM ? seahex::HazardScope::WaterColumnAboveCables : seahex::HazardScope::WaterColumn;
     arena.vessel.marginM = options.marginM;
     arena.pitch = spacingM;
     return demos::makeArena(chart, arena);
@@ -123,6 +124,12 @@ Seabed readSeabed(const Options &options)
         seabed.chart = chart;
         seabed.around =
             arenaAround(options, *chart, seabed.projection, spacingOver(options, *chart, seabed.projection));
+        if (options.crossCablesM)
+        {
+            seabed.aboveCablesM = *options.crossCablesM;
+            seabed.depths =
+                raiseCables(*seabed.depths, *chart, seabed.projection, seabed.aboveCablesM, options.marginM);
+        }
         for (const seahex::CellReport &cell : chart->cells)
             seabed.source += (seabed.source.empty() ? "" : ", ") + ("chart " + cell.name);
     }

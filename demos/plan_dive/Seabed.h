@@ -20,6 +20,7 @@ struct Seabed
     std::string source;                                ///< for people: file or charts
     std::shared_ptr<const seahex::Chart> chart;        ///< null without one
     std::shared_ptr<const seahex::ChartArena> around;  ///< columns to keep out of; null without a chart
+    double aboveCablesM = 0.0;                         ///< by which the depths are less at the chart's cables
     double readMs = 0.0;
 
     std::vector<std::string> warnings() const;

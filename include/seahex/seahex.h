@@ -2,6 +2,7 @@
 
 /// @file Everything that the README's programs need: chart to occupancy to OMPL problem to route, seabed to dive.
 
+#include <seahex/chart/CableCrossing.h>
 #include <seahex/chart/ChartArena.h>
 #include <seahex/chart/ChartBathymetry.h>
 #include <seahex/chart/ChartError.h>

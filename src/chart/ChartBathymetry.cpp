@@ -32,13 +32,6 @@ constexpr double MOST_CELLS = 1e8;
 /// The corners of cells and the nodes of the grid are the same places but for rounding.
 constexpr double ROUNDING_M = 1e-6;
 
-/// Not deeper than the number it stands for.
-float roundedUpwards(double depthM)
-{
-    const auto nearest = static_cast<float>(depthM);
-    return static_cast<double>(nearest) > depthM ? std::nextafter(nearest, UNKNOWN) : nearest;
-}
-
 /// The least of the depths that touch each cell.
 class LeastByCell
 {
@@ -120,20 +113,20 @@ bool hidesTheSeabed(const HazardObject &object)
 
 float depthOr(const std::optional<double> &depthM, float otherwise)
 {
-    return depthM && std::isfinite(*depthM) ? roundedUpwards(*depthM) : otherwise;
+    return depthM && std::isfinite(*depthM) ? Bathymetry::notDeeper(*depthM) : otherwise;
 }
 
 Sorted sortByDepth(const std::vector<Hazard> &hazards, const std::vector<PlaneContour> &contours)
 {
     Sorted sorted;
     for (const PlaneContour &contour : contours)
-        sorted.limits[roundedUpwards(contour.depthM)].push_back(&contour.shape);
+        sorted.limits[Bathymetry::notDeeper(contour.depthM)].push_back(&contour.shape);
     for (const Hazard &hazard : hazards)
     {
         const HazardObject &object = *hazard.object;
         if (object.rule == HazardRule::DepthArea)
         {
-            const float least = depthOr(object.value("DRVAL1"), roundedUpwards(UNKNOWN_DEPTH_AREA_M));
+            const float least = depthOr(object.value("DRVAL1"), Bathymetry::notDeeper(UNKNOWN_DEPTH_AREA_M));
             sorted.least[least].push_back(&hazard.shape);
             sorted.limits[std::max(least, depthOr(object.value("DRVAL2"), least))].push_back(&hazard.shape);
         }

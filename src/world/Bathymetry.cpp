@@ -79,6 +79,12 @@ Point3 atDatum(const Point &p)
 
 }  // namespace
 
+float Bathymetry::notDeeper(double depthM)
+{
+    const auto nearest = static_cast<float>(depthM);
+    return static_cast<double>(nearest) > depthM ? std::nextafter(nearest, unknownDepth) : nearest;
+}
+
 Bathymetry::Bathymetry(const NodeGrid &grid, std::vector<float> depthsM) : grid_(grid), depthsM_(std::move(depthsM))
 {
     if (depthsM_.size() != static_cast<std::size_t>(grid.nodeCount()))

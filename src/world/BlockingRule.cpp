@@ -181,7 +181,7 @@ Verdict judgePipeline(const HazardObject &object, double requiredM)
 }
 
 /// Empty for what is judged as at the surface: neither seabed nor in the water at a depth of its own.
-std::optional<Verdict> judgeInWaterColumn(const HazardObject &object)
+std::optional<Verdict> judgeInWaterColumn(const HazardObject &object, HazardScope scope)
 {
     switch (object.rule)
     {
@@ -197,7 +197,8 @@ std::optional<Verdict> judgeInWaterColumn(const HazardObject &object)
         case HazardRule::Pipeline:
             return blocked("pipeline");
         case HazardRule::Cable:
-            return blocked("submarine cable");
+            return scope == HazardScope::WaterColumn ? blocked("submarine cable")
+                                                     : cost("submarine cable, to be crossed above");
         default:
             return std::nullopt;
     }
@@ -227,8 +228,8 @@ std::string metres(double value)
 
 Verdict judge(const HazardObject &object, const Vessel &vessel, HazardScope scope)
 {
-    if (scope == HazardScope::WaterColumn)
-        if (const std::optional<Verdict> verdict = judgeInWaterColumn(object))
+    if (scope == HazardScope::WaterColumn || scope == HazardScope::WaterColumnAboveCables)
+        if (const std::optional<Verdict> verdict = judgeInWaterColumn(object, scope))
             return *verdict;
     if (scope == HazardScope::LandOnly)
         return object.objectClass == "LNDARE" ? blocked("land") : Verdict{};

@@ -354,6 +354,8 @@ TEST_F(PlanDive, refusesWrongUsage)
                                                         {{"--vehicle-length", "0"}, "--vehicle-length"},
                                                         {{"--climb", "0.1"}, "PrismAStar"},
                                                         {{"--planner", "RRTstar"}, "--slices"},
+                                                        {{"--cross-cables", "5"}, "--chart"},
+                                                        {{"--cross-cables", "-5"}, "--cross-cables"},
                                                         {{"--nonsense"}, "--nonsense"}})
     {
         Arguments replaced = base;
@@ -398,6 +400,50 @@ TEST_F(PlanDive, onAChartKeepsOutOfWhatStandsInTheWater)
     EXPECT_EQ(report.at("seabed").at("source"), "chart sanya");
     EXPECT_GE(report.at("dive").at("least_water_m").get<double>(), 2.0);
     expectRefusal({"--chart", sanya(), "--from", "18.25,109.5@4", "--to", "18.13,109.75@6"}, NotNavigable, {"start"});
+}
+
+TEST_F(PlanDive, crossesCablesOnlyAboveThem)
+{
+    const fs::path chart = folder_ / "cable.gpkg";
+    writeChart(chart, {{"M_COVR", {{boxWkt(10.0, 45.0, 10.04, 45.03), {{"CATCOV", 1}}}}},
+                       {"DEPARE", {{boxWkt(10.0, 45.0, 10.04, 45.03), {{"DRVAL1", 50.0}, {"DRVAL2", 60.0}}}}},
+                       {"CBLSUB", {{"LINESTRING (10.02 45.0,10.02 45.03)", {}}}}});
+    TestRaster flat = ridge();
+    for (double &height : flat.values)
+        height = -50.0;
+    for (const Arguments &seabed : {Arguments{}, Arguments{"--bathymetry", write(flat)}})
+    {
+        const Arguments base =
+            seabed +
+            Arguments{
+                "--chart", chart.string(), "--from",     "45.015,10.003@40", "--to", "45.015,10.037@40", "--clearance",
+                "5",       "--planner",    "PrismAStar", "--cell-size",      "100",  "--spacing",        "60"};
+        expectRefusal(base, NoDive, {"PrismAStar"});
+        const Json report = dive(base + Arguments{"--cross-cables", "20"});
+        ASSERT_TRUE(report.is_object());
+        EXPECT_EQ(report.at("limits").at("cross_cables_m"), 20.0);
+        const Json &waypoints = report.at("dive").at("waypoints");
+        int crossings = 0;
+        for (std::size_t i = 1; i < waypoints.size(); ++i)
+        {
+            const auto at = [&](std::size_t k, std::size_t of)
+            {
+                return waypoints[k][of].get<double>();
+            };
+            if ((at(i - 1, 1) <= 10.02) == (at(i, 1) <= 10.02))
+                continue;
+            ++crossings;
+            const double t = (10.02 - at(i - 1, 1)) / (at(i, 1) - at(i - 1, 1));
+            const double depth = at(i - 1, 2) + t * (at(i, 2) - at(i - 1, 2));
+            EXPECT_LE(depth, 25.0) << "5 m of clearance and 20 m more";
+            EXPECT_GT(depth, 20.0);
+        }
+        EXPECT_EQ(crossings, 1);
+        expectRefusal(base + Arguments{"--cross-cables", "47"}, NoDive, {"PrismAStar"});
+    }
+    Arguments atCable{"--chart",          chart.string(), "--from", "45.015,10.02@40", "--to",
+                      "45.015,10.037@40", "--clearance",  "5",      "--cross-cables",  "20"};
+    expectRefusal(atCable, NotNavigable, {"start", "too deep", "where cables lie 20 m more"});
 }
 
 TEST_F(PlanDive, realSeabeds)

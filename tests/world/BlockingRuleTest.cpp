@@ -259,7 +259,7 @@ TEST(BlockingRule, countsLandAloneInTheLandOnlyScope)
 
 TEST(BlockingRule, keepsOutOfEverythingInTheWaterColumnButNotOfDepths)
 {
-    const auto underWater = [](const char *objectClass, HazardRule rule)
+    const auto underWater = [](const char *objectClass, HazardRule rule, HazardScope scope = HazardScope::WaterColumn)
     {
         const HazardObject deep = object(objectClass, rule,
                                          {{"DRVAL1", {900.0}},
@@ -268,14 +268,20 @@ TEST(BlockingRule, keepsOutOfEverythingInTheWaterColumnButNotOfDepths)
                                           {"WATLEV", {3.0}},
                                           {"CATMOR", {6.0}},
                                           {"CATOBS", {7.0}}});
-        return judge(deep, {}, HazardScope::WaterColumn).outcome;
+        return judge(deep, {}, scope).outcome;
     };
     EXPECT_EQ(underWater("DEPARE", HazardRule::DepthArea), Outcome::Ignored);
     EXPECT_EQ(judge(object("DEPARE", HazardRule::DepthArea), {}, HazardScope::WaterColumn).outcome, Outcome::Ignored);
     EXPECT_EQ(underWater("SOUNDG", HazardRule::Sounding), Outcome::Ignored);
     for (const HazardRule rule : {HazardRule::Always, HazardRule::Danger, HazardRule::MarineFarm, HazardRule::Mooring,
                                   HazardRule::Pipeline, HazardRule::Cable, HazardRule::ChartGap})
+    {
         EXPECT_EQ(underWater("X", rule), Outcome::Blocked) << static_cast<int>(rule);
+        EXPECT_EQ(underWater("X", rule, HazardScope::WaterColumnAboveCables),
+                  rule == HazardRule::Cable ? Outcome::Cost : Outcome::Blocked)
+            << static_cast<int>(rule);
+    }
+    EXPECT_EQ(underWater("DEPARE", HazardRule::DepthArea, HazardScope::WaterColumnAboveCables), Outcome::Ignored);
     EXPECT_EQ(underWater("RESARE", HazardRule::Regulation), Outcome::Cost);
     EXPECT_EQ(judge(object("CBLSUB", HazardRule::Cable), {}).outcome, Outcome::Ignored) << "no matter at the surface";
 }

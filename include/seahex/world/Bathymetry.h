@@ -28,6 +28,9 @@ class Bathymetry
 public:
     static constexpr float unknownDepth = -std::numeric_limits<float>::infinity();
 
+    /// A depth as a node holds it: the nearest float that is not deeper.
+    static float notDeeper(double depthM);
+
     /// @param depthsM  of the nodes, row by row from the south-west; whatever is not finite is unknown
     /// @throws std::length_error if there are not as many as nodes
     Bathymetry(const NodeGrid &grid, std::vector<float> depthsM);

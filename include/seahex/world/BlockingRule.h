@@ -26,7 +26,10 @@ enum class HazardScope
     /// What a vehicle under water keeps out of at every depth, from the surface to the seabed: all that stands, lies or
     /// floats, at whatever charted depth (wrecks, rocks, obstructions, piles, buoys, pipelines, cables, fish farms),
     /// and land. Depth areas and soundings don't count: they are the seabed (Bathymetry).
-    WaterColumn
+    WaterColumn,
+    /// The same, but for submarine cables: a vehicle that crosses above them takes them for a part of the seabed
+    /// (raiseCables).
+    WaterColumnAboveCables
 };
 
 /// The outcome for one object, with what decided it.
