@@ -187,7 +187,7 @@ PixelWindow RasterBand::window(const std::optional<Box> &box) const
                    shown(box->min.y()) + " to " + shown(box->max.y()) +
                    " north encloses no cell of it: its nodes reach from " + shown(firstCentre_.x()) + " to " +
                    shown(centre(window.columns - 1, 0).x()) + " and from " + shown(firstCentre_.y()) + " to " +
-                   shown(centre(0, window.rows - 1).y()));
+                   shown(centre(0, window.rows - 1).y()) + (degrees_ ? " degrees" : " metres"));
         window = {static_cast<int>(west), static_cast<int>(first), static_cast<int>(east - west) + 1,
                   static_cast<int>(last - first) + 1};
     }

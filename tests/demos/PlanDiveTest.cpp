@@ -304,7 +304,7 @@ TEST_F(PlanDive, refusesWhatIsNoSeabed)
     TestRaster metres = ridge();
     metres.epsg = 32632;
     metres.transform = {0.0, 100.0, 0.0, 5000000.0, 0.0, -100.0};
-    expectRefusal(Arguments{"--bathymetry", write(metres, "metres.tif")} + ends, BadSeabed, {"metres.tif"});
+    expectRefusal(Arguments{"--bathymetry", write(metres, "metres.tif")} + ends, BadSeabed, {"metres.tif", " metres"});
     expectRefusal(on(write(ridge())) + Arguments{"--clearance", "500"}, BadSeabed, {"seabed.tif", "500", "m"});
 }
 
