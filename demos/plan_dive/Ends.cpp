@@ -36,13 +36,13 @@ std::string depthFault(const seahex::DiveLimits &limits, double seabedM, double 
     const double lowest = std::min(seabedM - limits.clearanceM - seahex::DiveArena::roundingM, limits.deepestM);
     if (depthM >= limits.ceilingM && depthM <= lowest)
         return "";
-    std::string fault = depthM < limits.ceilingM ? "above the ceiling of " + plain(limits.ceilingM) + " m"
-                        : depthM > limits.deepestM
-                            ? "below the greatest depth of " + plain(limits.deepestM) + " m"
-                            : "too deep: the seabed lies at " + metres(seabedM) + " and " + plain(limits.clearanceM) +
-                                  " m of clearance are wanted (" + plain(writingInHandM) +
-                                  " m of it for the rounding of positions)" +
-                                  (aboveCablesM > 0.0 ? ", where cables lie " + plain(aboveCablesM) + " m more" : "");
+    std::string fault =
+        depthM < limits.ceilingM ? "above the ceiling of " + plain(limits.ceilingM) + " m"
+        : depthM > limits.deepestM
+            ? "below the greatest depth of " + plain(limits.deepestM) + " m"
+            : "too deep: the seabed lies at " + metres(seabedM) + " and " + plain(limits.clearanceM) +
+                  " m of clearance are wanted (" + plain(writingInHandM) + " m of it for the rounding of positions)" +
+                  (aboveCablesM > 0.0 ? "; where cables lie it counts as " + plain(aboveCablesM) + " m higher" : "");
     return fault + (lowest >= limits.ceilingM
                         ? "; " + plain(limits.ceilingM) + " m to " + metres(lowest) + " would do there"
                         : "; no depth would do there, where the seabed lies at " + metres(seabedM));
@@ -74,7 +74,7 @@ seahex::Point3 endInWater(const Seabed &seabed, const seahex::DiveArena &arena, 
     const double depthM = seabed.depths->depthAt(p);
     if (!std::isfinite(depthM))
         refuse("lies where the depth of the seabed is unknown");
-    if (depthM <= 0.0)
+    if (depthM + seabed.aboveCablesM <= 0.0)
         refuse("lies on land, " + metres(-depthM) + " above the datum");
     if (const std::string fault = depthFault(arena.limits(), depthM, position.depthM, seabed.aboveCablesM);
         !fault.empty())

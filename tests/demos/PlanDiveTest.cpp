@@ -443,7 +443,9 @@ TEST_F(PlanDive, crossesCablesOnlyAboveThem)
     }
     Arguments atCable{"--chart",          chart.string(), "--from", "45.015,10.02@40", "--to",
                       "45.015,10.037@40", "--clearance",  "5",      "--cross-cables",  "20"};
-    expectRefusal(atCable, NotNavigable, {"start", "too deep", "where cables lie 20 m more"});
+    expectRefusal(atCable, NotNavigable, {"start", "too deep", "where cables lie it counts as 20 m higher"});
+    atCable.back() = "60";
+    expectRefusal(atCable, NotNavigable, {"start", "too deep", "no depth would do there"});
 }
 
 TEST_F(PlanDive, realSeabeds)

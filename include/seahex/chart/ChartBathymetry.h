@@ -26,9 +26,11 @@ enum class ChartDepths
 ///   (rocks, wrecks, obstructions, marine farms) that does.
 /// In a sound chart the areas say what the contours do: they meet along contours, the shoaler one ends at VALDCO
 /// (DRVAL2), the deeper one begins there (DRVAL1), and both touch the contour's cells. Between contours Least promises
-/// the shoaler one's depth. Unknown is every cell that
-/// land, unsurveyed water, a gap of the chart, a pontoon, hulk or dock, a danger or sounding without depth, or what
-/// lies outside the coverage touches. The chart's edges count as they lie in the frame, grown by its edgeToleranceM.
+/// the shoaler one's depth.
+///
+/// Unknown is every cell that land, unsurveyed water, a gap of the chart, a pontoon, hulk or dock, a danger or sounding
+/// without depth, or what lies outside the coverage touches. The chart's edges count as they lie in the frame, grown by
+/// its edgeToleranceM.
 ///
 /// The TIN (Delaunay, linear in each triangle) has all soundings and, in each cell that contours pass, one point of the
 /// shallowest. Where all three corners of a triangle lie on one contour it is flat there, at that depth.
