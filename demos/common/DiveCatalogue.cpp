@@ -7,6 +7,7 @@
 #include <seahex/planning/LayeredPlanner.h>
 #include <seahex/planning/PrismAStar.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -83,6 +84,11 @@ bool isOmpls(const std::string &name)
 }
 
 }  // namespace
+
+double sliceDistanceM(const seahex::Point3 &start, const seahex::Point3 &goal, unsigned slices)
+{
+    return std::max(seahex::horizontal(seahex::Point3(goal - start)).norm() / (slices - 1), 1e-3);
+}
 
 std::string divePlannerNames()
 {

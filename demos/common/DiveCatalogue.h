@@ -1,5 +1,7 @@
 #pragma once
 
+#include <seahex/geometry/Point3.h>
+
 #include <ompl/base/Planner.h>
 
 #include <string>
@@ -21,6 +23,9 @@ struct DivePlannerSettings
     double climb = 0.0;      ///< metres that its vehicle climbs or dives in a metre of the plane; 0: not limited
     unsigned seed = 1;       ///< of ants; OMPL's planners have one seed for all
 };
+
+/// The distance between slices, which stands for a vehicle's length where none is named.
+double sliceDistanceM(const seahex::Point3 &start, const seahex::Point3 &goal, unsigned slices);
 
 /// The planners that know dives (problems in R^3), separated by commas.
 std::string divePlannerNames();

@@ -93,8 +93,7 @@ void search(const Options &options, const std::shared_ptr<const seahex::DiveAren
     seahex::setStartAndGoal(setup, start, goal);
     demos::DivePlannerSettings settings = options.settings;
     if (settings.vehicleLengthM == 0.0)
-        settings.vehicleLengthM =
-            std::max(seahex::horizontal(seahex::Point3(goal - start)).norm() / (settings.slices - 1), 1e-3);
+        settings.vehicleLengthM = demos::sliceDistanceM(start, goal, settings.slices);
     settings.climb = climbInPlane(settings.climb, result.seabed);
     const ob::PlannerPtr planner = demos::makeDivePlanner(options.planner, setup.getSpaceInformation(), settings);
     setup.setPlanner(planner);

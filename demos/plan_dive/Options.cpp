@@ -35,27 +35,14 @@ struct Texts
 {
     std::string from;
     std::string to;
-    std::string values = "auto";
     std::string spacing = "auto";
     PlannerTexts planner;
     std::string chartDepths = "least";
-    std::optional<double> noData;
-    bool inDegrees = false;
 };
 
 void declareSeabed(CLI::App &app, Options &o, Texts &t)
 {
-    app.add_option("--bathymetry", o.bathymetry,
-                   "raster of heights or depths in degrees: GeoTIFF, netCDF, ASCII grid, whatever GDAL reads")
-        ->type_name("RASTER");
-    app.add_option("--values", t.values, "the raster's values: auto, heights (positive up) or depths")
-        ->capture_default_str()
-        ->type_name("NAME");
-    app.add_option("--datum-offset", o.raster.datumOffsetM, "added to every depth of the raster, metres")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--no-data", t.noData, "a value of the raster that means none")->type_name("VALUE");
-    app.add_flag("--degrees", t.inDegrees, "the raster's coordinates are degrees though it doesn't say so");
+    demos::declareRaster(app, o);
     demos::declareChart(app, o.charts);
     app.add_option("--spacing", t.spacing,
                    "width of the chart's cells, metres; auto: the larger of 20 m and what gives 4 million cells")
@@ -78,13 +65,7 @@ void declareDive(CLI::App &app, Options &o, Texts &t)
 {
     app.add_option("--from", t.from, "start, and its depth in metres")->type_name("LAT,LON@M");
     app.add_option("--to", t.to, "goal, and its depth")->type_name("LAT,LON@M");
-    app.add_option("--clearance", o.limits.clearanceM, "least water between vehicle and seabed, metres")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--ceiling", o.limits.ceilingM, "least depth of the vehicle, metres; 0: it may surface")
-        ->capture_default_str()
-        ->type_name("M");
-    app.add_option("--deepest", o.limits.deepestM, "greatest depth that it bears, metres [none]")->type_name("M");
+    demos::declareDiveLimits(app, o);
 }
 
 void declareOutput(CLI::App &app, Options &o)
@@ -123,18 +104,11 @@ DivePosition divePosition(const std::string &option, const std::string &text)
 
 void checkNumbers(const Options &o)
 {
-    demos::requireNotNegative("--clearance", o.limits.clearanceM, "metres");
-    demos::requireNotNegative("--ceiling", o.limits.ceilingM, "metres");
-    if (!(o.limits.deepestM > o.limits.ceilingM))
-        usage("--deepest must be below the ceiling of " + demos::plain(o.limits.ceilingM) + " m, not " +
-              demos::plain(o.limits.deepestM) + " m");
     demos::requireNotNegative("--margin", o.marginM, "metres");
     if (o.crossCablesM)
         demos::requireNotNegative("--cross-cables", *o.crossCablesM, "metres");
     if (o.crossCablesM && o.charts.empty())
         usage("--cross-cables needs --chart: a raster knows no cables");
-    if (!std::isfinite(o.raster.datumOffsetM))
-        usage("--datum-offset must be a number of metres");
 }
 
 void checkFiles(const Options &o)
@@ -170,20 +144,14 @@ void resolve(const CLI::App &app, Options &o, const Texts &t)
 {
     if (o.bathymetry.empty() && o.charts.empty())
         usage("--bathymetry or --chart is missing: a seabed is needed");
-    if (t.values != "auto" && t.values != "heights" && t.values != "depths")
-        usage("--values must be auto, heights or depths, not '" + t.values + "'");
     if (t.chartDepths != "least" && t.chartDepths != "interpolated")
         usage("--chart-depths must be least or interpolated, not '" + t.chartDepths + "'");
     o.from = divePosition("--from", t.from);
     o.to = divePosition("--to", t.to);
-    if (t.values != "auto")
-        o.raster.values = t.values == "heights" ? seahex::RasterValues::Heights : seahex::RasterValues::Depths;
-    if (t.inDegrees)
-        o.raster.coordinates = seahex::RasterCoordinates::Degrees;
-    o.raster.noData = t.noData;
     if (t.chartDepths == "interpolated")
         o.chartDepths = seahex::ChartDepths::Interpolated;
     o.spacingM = positiveOrAuto("--spacing", t.spacing);
+    demos::resolveDive(o);
     checkNumbers(o);
     resolvePlanner(app, o, t.planner);
     checkFiles(o);

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "common/DiveCatalogue.h"
+#include "common/DiveOptions.h"
 
 #include <seahex/chart/ChartBathymetry.h>
 #include <seahex/geometry/GeoPoint.h>
-#include <seahex/io/BathymetryReader.h>
-#include <seahex/world/DiveArena.h>
 
 #include <optional>
 #include <string>
@@ -21,11 +20,9 @@ struct DivePosition
     double depthM = 0.0;
 };
 
-/// The command line, checked and with defaults filled in.
-struct Options
+/// The command line, checked and with defaults filled in. With no raster the seabed is the charts'.
+struct Options : demos::DiveOptions
 {
-    std::string bathymetry;  ///< raster; empty: the seabed is the charts'
-    seahex::BathymetryOptions raster;
     std::vector<std::string> charts;
     double spacingM = 0.0;  ///< of the charts' cells; 0: automatic
     seahex::ChartDepths chartDepths = seahex::ChartDepths::Least;
@@ -34,7 +31,6 @@ struct Options
     std::optional<double> crossCablesM;
     DivePosition from;
     DivePosition to;
-    seahex::DiveLimits limits;
     std::string planner = "LayeredPlanner";
     demos::DivePlannerSettings settings;  ///< a vehicle's length of 0: the distance between slices
     double timeS = 10.0;

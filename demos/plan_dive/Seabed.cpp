@@ -2,6 +2,7 @@
 
 #include "common/Arena.h"
 #include "common/Failure.h"
+#include "common/RasterSeabed.h"
 
 #include <seahex/chart/CableCrossing.h>
 #include <seahex/chart/ChartError.h>
@@ -27,21 +28,6 @@ seahex::GeoBox voyageBox(const Options &options)
     const auto [west, east] = std::minmax({options.from.place.longitudeDeg(), options.to.place.longitudeDeg()});
     const double around = std::max({north - south, east - west, 0.05});
     return {west - around, south - around, east + around, north + around};
-}
-
-seahex::BathymetryRaster readRaster(const Options &options)
-{
-    const seahex::GeoBox box = voyageBox(options);
-    seahex::BathymetryOptions raster = options.raster;
-    raster.window = seahex::Box{seahex::Point(box.westDeg, box.southDeg), seahex::Point(box.eastDeg, box.northDeg)};
-    try
-    {
-        return seahex::readBathymetry(options.bathymetry, raster);
-    }
-    catch (const seahex::BathymetryError &error)
-    {
-        throw Failure(Exit::Chart, error.what());
-    }
 }
 
 double millisecondsSince(std::chrono::steady_clock::time_point begin)
@@ -91,11 +77,10 @@ std::shared_ptr<const seahex::Bathymetry> depthsOf(const Options &options, const
 
 Seabed ofRaster(const Options &options)
 {
-    const seahex::BathymetryRaster raster = readRaster(options);
-    if (!raster.projection)
-        throw Failure(Exit::Chart, options.bathymetry + ": its coordinates are metres, and positions are degrees; "
-                                                        "gdalwarp -t_srs EPSG:4326 makes a raster in degrees of it");
-    return {raster.seabed, *raster.projection, options.bathymetry, nullptr, nullptr};
+    const seahex::GeoBox box = voyageBox(options);
+    const demos::RasterSeabed seabed = demos::readRaster(
+        options, seahex::Box{seahex::Point(box.westDeg, box.southDeg), seahex::Point(box.eastDeg, box.northDeg)});
+    return {seabed.depths, seabed.projection, options.bathymetry, nullptr, nullptr};
 }
 
 }  // namespace
