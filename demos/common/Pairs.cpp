@@ -1,12 +1,12 @@
 #include "Pairs.h"
 
 #include "Failure.h"
+#include "Uniform.h"
 
 #include <seahex/world/SegmentValidity.h>
 
 #include <cmath>
 #include <optional>
-#include <random>
 #include <utility>
 
 namespace demos
@@ -17,22 +17,6 @@ namespace
 using seahex::Point;
 
 constexpr double fullTurnDeg = 360.0;
-
-/// Uniform numbers whose sequence the standard fixes, unlike that of its distributions.
-class Uniform
-{
-public:
-    explicit Uniform(std::uint32_t seed) : engine_(seed) {}
-
-    double between(double low, double high)
-    {
-        const double share = static_cast<double>(engine_() >> 11) * 0x1p-53;
-        return low + (high - low) * share;
-    }
-
-private:
-    std::mt19937_64 engine_;
-};
 
 class PairDrawer
 {
