@@ -6,17 +6,16 @@
 namespace benchmark_planners
 {
 
-Campaign::Campaign(const Options &options, const World &world, const ResultsFolder &folder,
-                   std::vector<demos::Pair> pairs)
-    : options_(options), world_(world), folder_(folder), pairs_(std::move(pairs))
+Campaign::Campaign(const Options &options, const World &world, const ResultsFolder &folder)
+    : options_(options), world_(world), folder_(folder)
 {
-    for (std::size_t k = 0; k < pairs_.size(); ++k)
+    for (unsigned pair = 1; pair <= world.pairCount(); ++pair)
     {
-        if (options.shard && !options.shard->contains(k))
+        if (options.shard && !options.shard->contains(pair - 1))
             continue;
         ++ofShard_;
-        if (!folder.isDone(pairs_[k].number))
-            waiting_.push_back({pairs_[k], options.planners});
+        if (!folder.isDone(pair))
+            waiting_.push_back({pair, options.planners});
     }
 }
 
@@ -65,9 +64,9 @@ void Campaign::start(Slot &slot)
     waiting_.pop_front();
     if (!task.isAlone)
     {
-        records_[task.pair.number] = JobRecord();
-        records_[task.pair.number].pair = task.pair.number;
-        remaining_[task.pair.number] = 1;
+        records_[task.pair] = JobRecord();
+        records_[task.pair].pair = task.pair;
+        remaining_[task.pair] = 1;
     }
     const Job job = {task.pair, task.planners, options_.runs, options_.timeS, options_.seed};
     slot.process.emplace(world_, job, folder_, task.isAlone, slot.core);
@@ -76,7 +75,7 @@ void Campaign::start(Slot &slot)
 void Campaign::end(const JobProcess &process, const JobEnd &end)
 {
     const Job &job = process.job();
-    JobRecord &record = records_.at(job.pair.number);
+    JobRecord &record = records_.at(job.pair);
     record.seconds += end.seconds;
     if (end.isDone)
         record.logs.push_back(process.log().filename().string());
@@ -84,22 +83,22 @@ void Campaign::end(const JobProcess &process, const JobEnd &end)
         record.crashes.push_back({job.planners.front(), end.how, end.said});
     else
     {
-        ticker_.say("pair " + std::to_string(job.pair.number) + ": " + end.how +
+        ticker_.say("pair " + std::to_string(job.pair) + ": " + end.how +
                     (end.said.empty() ? "" : " (" + end.said + ")") + "; again, a process a planner");
         runAlone({job.pair, job.planners, true});
         return;
     }
-    if (--remaining_.at(job.pair.number) > 0)
+    if (--remaining_.at(job.pair) > 0)
         return;
     std::sort(record.logs.begin(), record.logs.end());
     folder_.write(record);
     ticker_.jobDone(record);
-    records_.erase(job.pair.number);
+    records_.erase(job.pair);
 }
 
 void Campaign::runAlone(const Task &task)
 {
-    remaining_.at(task.pair.number) = task.planners.size();
+    remaining_.at(task.pair) = task.planners.size();
     for (const std::string &planner : task.planners)
         waiting_.push_front({task.pair, {planner}, true});
 }

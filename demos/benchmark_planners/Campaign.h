@@ -3,6 +3,7 @@
 #include "JobProcess.h"
 #include "Options.h"
 #include "Ticker.h"
+#include "World.h"
 
 #include <deque>
 #include <map>
@@ -16,7 +17,7 @@ namespace benchmark_planners
 class Campaign
 {
 public:
-    Campaign(const Options &options, const World &world, const ResultsFolder &folder, std::vector<demos::Pair> pairs);
+    Campaign(const Options &options, const World &world, const ResultsFolder &folder);
 
     /// The jobs of the shard, done before or not.
     std::size_t jobCount() const { return ofShard_; }
@@ -27,7 +28,7 @@ public:
 private:
     struct Task
     {
-        demos::Pair pair;
+        unsigned pair = 0;
         std::vector<std::string> planners;
         bool isAlone = false;
     };
@@ -48,7 +49,6 @@ private:
     const Options &options_;
     const World &world_;
     const ResultsFolder &folder_;
-    std::vector<demos::Pair> pairs_;
     std::size_t ofShard_ = 0;
     std::deque<Task> waiting_;
     std::vector<Slot> slots_;

@@ -1,9 +1,6 @@
 #include "Job.h"
 
 #include "RecordedBenchmark.h"
-#include "Roster.h"
-
-#include <seahex/planning/Setup.h>
 
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -25,21 +22,25 @@ std::uint32_t seedOf(std::uint32_t seed, unsigned pair)
     return h == 0 ? 1 : h;
 }
 
-void describePair(const World &world, const demos::Pair &pair, ompl::tools::Benchmark &benchmark)
+void describePair(const World &world, unsigned number, ompl::tools::Benchmark &benchmark)
 {
-    const seahex::GeoPoint start = world.arena->projection().inverse(pair.start);
-    const seahex::GeoPoint goal = world.arena->projection().inverse(pair.goal);
+    const PairFacts pair = world.pair(number);
     const auto addReal = [&benchmark](const char *name, double value)
     {
         benchmark.addExperimentParameter(name, "REAL", logNumber(value));
     };
-    benchmark.addExperimentParameter("pair", "INTEGER", std::to_string(pair.number));
-    addReal("course", pair.courseDeg());
-    addReal("distance", pair.distance());
-    addReal("start_latitude", start.latitudeDeg());
-    addReal("start_longitude", start.longitudeDeg());
-    addReal("goal_latitude", goal.latitudeDeg());
-    addReal("goal_longitude", goal.longitudeDeg());
+    benchmark.addExperimentParameter("pair", "INTEGER", std::to_string(number));
+    addReal("course", pair.courseDeg);
+    addReal("distance", pair.distanceM);
+    addReal("start_latitude", pair.start.latitudeDeg());
+    addReal("start_longitude", pair.start.longitudeDeg());
+    addReal("goal_latitude", pair.goal.latitudeDeg());
+    addReal("goal_longitude", pair.goal.longitudeDeg());
+    if (!pair.dive)
+        return;
+    addReal("start_depth", pair.dive->startDepthM);
+    addReal("goal_depth", pair.dive->goalDepthM);
+    benchmark.addExperimentParameter("seabed_in_the_way", "BOOLEAN", pair.dive->isSeabedInTheWay ? "1" : "0");
 }
 
 }  // namespace
@@ -50,20 +51,18 @@ bool runJob(const World &world, const Job &job, const std::string &name, std::os
     constexpr double samplingS = 1.0;  // no RecordedPlanner has properties to sample
     constexpr double graceS = 1.0;     // RecordedPlanner keeps the limit; Benchmark's own is polled at 0.1 s
     ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
-    ompl::RNG::setSeed(seedOf(job.seed, job.pair.number));
+    const std::uint32_t seed = seedOf(job.seed, job.pair);
+    ompl::RNG::setSeed(seed);
 
-    const auto &occupancy = world.arena->occupancy();
-    og::SimpleSetup setup(seahex::planarSpace(*occupancy));
-    seahex::useOccupancy(setup, occupancy);
-    seahex::setStartAndGoal(setup, job.pair.start, job.pair.goal);
-    RecordedBenchmark benchmark(setup, name, RunJudge(world, setup));
+    const std::unique_ptr<og::SimpleSetup> setup = world.makeSetup(job.pair);
+    RecordedBenchmark benchmark(*setup, name, RunJudge(world, *setup));
     describePair(world, job.pair, benchmark);
     for (const std::string &plannerName : job.planners)
     {
-        const auto planner = makeFromRoster(plannerName, setup.getSpaceInformation());
+        const auto planner = world.makePlanner(plannerName, job.pair, seed, setup->getSpaceInformation());
         planner->setTimeLimit(job.timeS);
         benchmark.add(planner);
-        setup.setPlanner(planner);  // without one, setup() would look for a default that aborts on R^2 (OMPL 1.5.2)
+        setup->setPlanner(planner);  // without one, setup() would look for a default that aborts on R^2 (OMPL 1.5.2)
     }
     benchmark.benchmark({job.timeS + graceS, memoryMb, job.runs, samplingS, false, false, false});
     return benchmark.saveResultsToStream(log) && log.flush();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "World.h"
-#include "common/Pairs.h"
 
 #include <cstdint>
 #include <ostream>
@@ -14,7 +13,7 @@ namespace benchmark_planners
 /// One tools::Benchmark: some planners on one pair.
 struct Job
 {
-    demos::Pair pair;
+    unsigned pair = 1;  ///< its number in the world
     std::vector<std::string> planners;
     unsigned runs = 1;
     double timeS = 1.0;

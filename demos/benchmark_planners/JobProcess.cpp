@@ -50,8 +50,7 @@ std::string describeEnd(int status)
 
 JobProcess::JobProcess(const World &world, const Job &job, const ResultsFolder &folder, bool isAlone,
                        const CoreLease &core)
-    : job_(job), isAlone_(isAlone),
-      log_(isAlone ? folder.log(job.pair.number, job.planners.front()) : folder.log(job.pair.number)),
+    : job_(job), isAlone_(isAlone), log_(isAlone ? folder.log(job.pair, job.planners.front()) : folder.log(job.pair)),
       part_(demos::partName(log_)), errors_(part_.string() + ".err"),
       deadline_(begin_ + std::chrono::duration_cast<Clock::duration>(patience(job)))
 {

@@ -1,6 +1,7 @@
 #include "Options.h"
 
 #include "Cores.h"
+#include "DiveRoster.h"
 #include "Roster.h"
 #include "common/CommandLine.h"
 #include "common/Failure.h"
@@ -18,23 +19,31 @@ namespace
 {
 
 const char *const description =
-    "Compares HexAStar with OMPL's planners on one nautical chart: one SpaceInformation (R^2, exact validity), one\n"
-    "core, one time limit for all; start-goal pairs in all headings. Writes OMPL's benchmark logs, an SQLite "
-    "database,\n"
-    "plots (PNG) and one self-contained HTML page, and prints the table.";
+    "Compares HexAStar with OMPL's planners on one nautical chart, or this project's planners of dives with OMPL's "
+    "over\n"
+    "one seabed: one SpaceInformation (R^2 or R^3, exact validity), one core, one time limit for all; start-goal "
+    "pairs\n"
+    "in all headings. Writes OMPL's benchmark logs, an SQLite database, plots (PNG) and one self-contained HTML page,\n"
+    "and prints the table.";
 
 const char *const footer =
-    "Without --chart the project's own chart of Shangchuan is taken. Database and page need the Debian packages\n"
-    "ompl-demos and python3-matplotlib.\n"
+    "Without --chart and --bathymetry the project's own chart of Shangchuan is taken. Database and page need the "
+    "Debian\n"
+    "packages ompl-demos and python3-matplotlib.\n"
+    "With --bathymetry every dive is looked at once more, at a tenth of the raster's cells; one that does not keep "
+    "the\n"
+    "limits is counted as unsafe.\n"
     "A job is a pair: all planners, one after another, in a process of its own. A planner that crashes costs its own\n"
     "results only: the pair is run again, a process a planner, and the report names the crash. What has been run is\n"
     "kept in --out: the same command continues where it was stopped.\n"
-    "Exit codes: 0 page written, or shard done; 2 usage, or the folder holds other settings; 3 chart unreadable,\n"
-    "            damaged or without water; 4 no such pairs on this chart; 7 the logs are there but the page is not,\n"
+    "Exit codes: 0 page written, or shard done; 2 usage, or the folder holds other settings; 3 chart or\n"
+    "            seabed unreadable, damaged or without water; 4 no such pairs there; 7 the logs are there but the page "
+    "is not,\n"
     "            for instance because a package is missing (--merge makes it later); 1 internal error.\n"
     "Examples:\n"
     "  benchmark_planners\n"
     "  benchmark_planners --chart maps/sanya.000 --pitch 100 --planners HexAStar,RRTstar,BITstar --time 5\n"
+    "  benchmark_planners --bathymetry seabed.nc --clearance 50 --ceiling 10\n"
     "A campaign on many machines that share a folder, through GNU parallel or as a Slurm array, then its page:\n"
     "  parallel -j1 --sshloginfile hosts --wd . benchmark_planners --pairs 360 --runs 10 --shard {}/8 ::: {1..8}\n"
     "  sbatch --array=1-36 --cpus-per-task=2 --wrap \\\n"
@@ -56,12 +65,27 @@ std::string joined(const std::vector<std::string> &names)
     return text;
 }
 
+/// A raster takes the place of chart, vessel and cells.
+void declareDive(CLI::App &app, demos::DiveOptions &dive)
+{
+    demos::declareRaster(app, dive);
+    demos::declareDiveLimits(app, dive);
+    for (const char *option : {"--chart", "--draught", "--ukc", "--margin", "--pitch"})
+        app.get_option("--bathymetry")->excludes(option);
+    for (const char *option :
+         {"--band", "--values", "--datum-offset", "--no-data", "--degrees", "--clearance", "--ceiling", "--deepest"})
+        app.get_option(option)->needs("--bathymetry");
+}
+
 void declare(CLI::App &app, Options &o, Texts &t)
 {
     app.footer(footer);
     demos::declareChart(app, o.charts);
     demos::declareVesselAndPitch(app, o, "metres");
-    app.add_option("--planners", o.planners, "which planners, separated by commas: " + joined(rosterNames()) + " [all]")
+    declareDive(app, o.dive);
+    app.add_option("--planners", o.planners,
+                   "which planners, separated by commas: on a chart " + joined(rosterNames()) + "; over a seabed " +
+                       joined(diveRosterNames()) + " [all]")
         ->delimiter(',')
         ->type_name("NAME,...");
     app.add_option("--pairs", o.pairs, "start-goal pairs; pair k heads into the k-th sector of the compass")
@@ -72,7 +96,7 @@ void declare(CLI::App &app, Options &o, Texts &t)
         ->type_name("N");
     app.add_option("--time", o.timeS, "time limit of a run, seconds")->capture_default_str()->type_name("S");
     app.add_option("--least-distance", o.leastDistance,
-                   "least distance from start to goal, as a share of the diagonal of the chart")
+                   "least distance from start to goal, as a share of the diagonal of chart or seabed")
         ->capture_default_str()
         ->type_name("SHARE");
     app.add_option("--seed", o.seed, "seed of the pairs and of the planners")->capture_default_str()->type_name("N");
@@ -108,9 +132,8 @@ Shard parseShard(const std::string &text)
 }
 
 /// The names asked for in the roster's order, each once; all if none was.
-std::vector<std::string> resolvePlanners(const std::vector<std::string> &asked)
+std::vector<std::string> resolvePlanners(const std::vector<std::string> &asked, std::vector<std::string> known)
 {
-    std::vector<std::string> known = rosterNames();
     for (const std::string &name : asked)
         if (std::find(known.begin(), known.end(), name) == known.end())
             usage("--planners: there is no planner '" + name + "'; known are " + joined(known));
@@ -166,12 +189,14 @@ CommandLine readCommandLine(int argc, const char *const *argv)
     if (const auto help = demos::parseCommandLine(app, argc, argv))
         return {std::nullopt, *help};
     demos::resolveVesselAndPitch(options);
-    options.planners = resolvePlanners(options.planners);
+    demos::resolveDive(options.dive);
+    const bool isDive = !options.dive.bathymetry.empty();
+    options.planners = resolvePlanners(options.planners, isDive ? diveRosterNames() : rosterNames());
     if (app.count("--shard") > 0)
         options.shard = parseShard(texts.shard);
     checkNumbers(options);
     checkMerge(app, options, texts);
-    if (options.charts.empty() && !options.merge)
+    if (options.charts.empty() && !isDive && !options.merge)
         options.charts = {demos::ownChart("shangchuan.000")};
     return {options, ""};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/ChartOptions.h"
+#include "common/DiveOptions.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,11 +24,12 @@ struct Shard
 /// The command line, checked and with defaults filled in.
 struct Options : demos::ChartOptions
 {
-    std::vector<std::string> planners;  ///< names of the roster, in its order
+    demos::DiveOptions dive;            ///< with a raster the planners dive over it, and there is no chart
+    std::vector<std::string> planners;  ///< names of the world's roster, in its order
     unsigned pairs = 24;
     unsigned runs = 1;           ///< of every planner on every pair
     double timeS = 2.0;          ///< of one run
-    double leastDistance = 0.3;  ///< of start and goal, as a share of the diagonal of the lattice's box
+    double leastDistance = 0.3;  ///< of start and goal, as a share of the diagonal of the world's box
     std::uint32_t seed = 1;
     unsigned jobs = 1;           ///< at a time
     std::optional<Shard> shard;  ///< if empty, all jobs are run and the page is made

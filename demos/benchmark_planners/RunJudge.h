@@ -17,20 +17,16 @@ class RunJudge
 public:
     RunJudge(const World &world, const ompl::geometric::SimpleSetup &setup) : world_(world), setup_(setup) {}
 
-    /// Adds to a run's properties: whether the path is valid (from the start to the goal, every leg on free cells
-    /// only); of a valid path its length in the plane, legs, turns and turn angle as RouteMetrics defines them, and the
-    /// least distance from the whole line to the geometry of a hazard.
+    /// Adds to a run's properties: whether the path is valid (from the start to the goal, every leg safe to the world
+    /// and valid to the problem); of a valid path the world's measures.
     /// @return the length in metres, which is the cost; empty if there is no exact solution or it is not valid
     std::optional<double> judge(ompl::tools::Benchmark::RunProperties &run) const;
 
 private:
-    bool isValid(const ompl::geometric::PathGeometric &path) const;
+    bool isWhole(const ompl::geometric::PathGeometric &path) const;
 
     const World &world_;
     const ompl::geometric::SimpleSetup &setup_;
 };
-
-/// A number for a log: twelve digits.
-std::string logNumber(double value);
 
 }  // namespace benchmark_planners

@@ -1,51 +1,104 @@
-// benchmark_planners: HexAStar and OMPL's planners on one chart. The options are in Options.cpp, the planners in
-// Roster.cpp, what a process does in Job.cpp, what is made of the logs in report/.
+// benchmark_planners: this project's planners and OMPL's on one chart, or over one seabed. The options are in
+// Options.cpp, the two worlds in ChartWorld.cpp and DiveWorld.cpp, their planners in Roster.cpp and DiveRoster.cpp,
+// what a process does in Job.cpp, what is made of the logs in report/.
 
 #include "Campaign.h"
+#include "ChartWorld.h"
+#include "DiveWorld.h"
 #include "Manifest.h"
 #include "Options.h"
 #include "ReportProgram.h"
 #include "common/Arena.h"
+#include "common/DivePairs.h"
+#include "common/Failure.h"
 #include "common/Pairs.h"
 #include "common/Program.h"
 #include "common/Progress.h"
+#include "common/RasterSeabed.h"
 #include "common/Waters.h"
 
 #include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
 
 namespace
 {
 
 using namespace benchmark_planners;
 
-World makeWorld(const Options &options)
+std::unique_ptr<World> makeChartWorld(const Options &options)
 {
     demos::Progress progress;
     progress.stage("reading the chart");
     const auto chart = demos::readChart(options.charts);
     progress.stage("filling cells");
-    seahex::ArenaOptions arena;
-    arena.vessel = options.vessel;
-    arena.pitch = options.pitch;
-    return {chart, demos::makeArena(*chart, arena)};
+    seahex::ArenaOptions wanted;
+    wanted.vessel = options.vessel;
+    wanted.pitch = options.pitch;
+    const auto arena = demos::makeArena(*chart, wanted);
+    const seahex::HexOccupancy &occupancy = *arena->occupancy();
+    return std::make_unique<ChartWorld>(
+        chart, arena,
+        drawPairs(occupancy, demos::LargestWater(occupancy), {options.pairs, options.leastDistance, options.seed}));
 }
 
-void printPlan(const Options &options, const nlohmann::ordered_json &manifest)
+std::unique_ptr<World> makeDiveWorld(const Options &options)
+{
+    demos::Progress progress;
+    progress.stage("reading the seabed");
+    const demos::RasterSeabed seabed = demos::readRaster(options.dive);
+    const std::string name = std::filesystem::path(options.dive.bathymetry).filename().string();
+    progress.stage("drawing pairs");
+    try
+    {
+        const auto arena = std::make_shared<const seahex::DiveArena>(seabed.depths, options.dive.limits);
+        return std::make_unique<DiveWorld>(
+            name, arena, seabed.projection,
+            demos::drawDivePairs(*arena, {options.pairs, options.leastDistance, options.seed}));
+    }
+    catch (const demos::Failure &)
+    {
+        throw;
+    }
+    catch (const std::runtime_error &error)
+    {
+        throw demos::Failure(demos::Exit::Chart, name + ": " + error.what());
+    }
+}
+
+std::string pairLine(unsigned number, const PairFacts &pair)
+{
+    char line[160];
+    std::snprintf(line, sizeof line, "pair %3u  %9.5f,%10.5f  to %9.5f,%10.5f  course %03.0f, %6.1f km", number,
+                  pair.start.latitudeDeg(), pair.start.longitudeDeg(), pair.goal.latitudeDeg(),
+                  pair.goal.longitudeDeg(), pair.courseDeg, pair.distanceM / 1000.0);
+    std::string text = line;
+    if (pair.dive)
+    {
+        std::snprintf(line, sizeof line, ", from %.0f m to %.0f m%s", pair.dive->startDepthM, pair.dive->goalDepthM,
+                      pair.dive->isSeabedInTheWay ? ", seabed in the way" : "");
+        text += line;
+    }
+    return text + "\n";
+}
+
+void printPlan(const Options &options, const World &world)
 {
     char line[160];
     std::snprintf(line, sizeof line, "seed %u, %u pairs, %u run(s) of %zu planners, %g s each; results in ",
                   static_cast<unsigned>(options.seed), options.pairs, options.runs, options.planners.size(),
                   options.timeS);
     std::string text = line + options.out.string() + "\n";
-    for (const auto &pair : manifest.at("pair_list"))
+    unsigned inTheWay = 0;
+    for (unsigned number = 1; number <= world.pairCount(); ++number)
     {
-        std::snprintf(line, sizeof line, "pair %3d  %9.5f,%10.5f  to %9.5f,%10.5f  course %03.0f, %6.1f km\n",
-                      pair.at("number").get<int>(), pair.at("start").at(0).get<double>(),
-                      pair.at("start").at(1).get<double>(), pair.at("goal").at(0).get<double>(),
-                      pair.at("goal").at(1).get<double>(), pair.at("course_deg").get<double>(),
-                      pair.at("distance_m").get<double>() / 1000.0);
-        text += line;
+        const PairFacts pair = world.pair(number);
+        text += pairLine(number, pair);
+        inTheWay += pair.dive && pair.dive->isSeabedInTheWay ? 1 : 0;
     }
+    if (!options.dive.bathymetry.empty())
+        text += "the seabed is in the way of the straight line of " + std::to_string(inTheWay) + " pairs\n";
     demos::print(text);
 }
 
@@ -65,16 +118,13 @@ void printShard(const Options &options, std::size_t jobs)
 void runCampaign(const Options &options)
 {
     const ResultsFolder folder(options.out);
-    const World world = makeWorld(options);
-    const seahex::HexOccupancy &occupancy = *world.arena->occupancy();
-    const std::vector<demos::Pair> pairs =
-        drawPairs(occupancy, demos::LargestWater(occupancy), {options.pairs, options.leastDistance, options.seed});
-    const nlohmann::ordered_json manifest = makeManifest(options, world, pairs);
-    folder.claim(manifest);
+    const std::unique_ptr<World> world =
+        options.dive.bathymetry.empty() ? makeChartWorld(options) : makeDiveWorld(options);
+    folder.claim(makeManifest(options, *world));
     if (!options.json)
-        printPlan(options, manifest);
+        printPlan(options, *world);
 
-    Campaign campaign(options, world, folder, pairs);
+    Campaign campaign(options, *world, folder);
     campaign.run();
     if (options.shard)
         printShard(options, campaign.jobCount());

@@ -1,6 +1,7 @@
 // The parts of benchmark_planners that can be looked at without running planners for seconds: which water, which pairs,
 // how costs are noted, what a recorded planner makes of a planner that misbehaves.
 
+#include "benchmark_planners/ChartWorld.h"
 #include "benchmark_planners/Cores.h"
 #include "benchmark_planners/CostHistory.h"
 #include "benchmark_planners/RecordedPlanner.h"
@@ -407,12 +408,12 @@ class RunJudgeTest : public testing::Test
 protected:
     RunJudgeTest()
     {
-        useOccupancy(setup_, world_.arena->occupancy());
+        useOccupancy(setup_, world_.arena().occupancy());
         setStartAndGoal(setup_, start_, goal_);
         setup_.getSpaceInformation()->setup();
     }
 
-    static World makeWorld()
+    static ChartWorld makeWorld()
     {
         const auto chart = demos::readChart({(std::filesystem::path(SEAHEX_MAPS_DIR) / "shangchuan.000").string()});
         ArenaOptions options;
@@ -421,12 +422,12 @@ protected:
     }
     Point at(double latitude, double longitude) const
     {
-        return world_.arena->projection().forward(GeoPoint::fromLatLon(latitude, longitude));
+        return world_.arena().projection().forward(GeoPoint::fromLatLon(latitude, longitude));
     }
     /// A place from which both start and goal are seen.
     Point pointPast() const
     {
-        const HexOccupancy &occupancy = *world_.arena->occupancy();
+        const HexOccupancy &occupancy = *world_.arena().occupancy();
         for (int i = 0; i < 70; ++i)
             for (int j = 0; j < 35; ++j)
             {
@@ -447,11 +448,11 @@ protected:
         return RunJudge(world_, setup_).judge(run_);
     }
 
-    World world_ = makeWorld();
+    ChartWorld world_ = makeWorld();
     Point start_ = at(21.825, 112.686);
     Point goal_ = at(21.617, 113.064);  // straight ahead lies an island
     Point past_ = pointPast();
-    og::SimpleSetup setup_{planarSpace(*world_.arena->occupancy())};
+    og::SimpleSetup setup_{planarSpace(*world_.arena().occupancy())};
     ompl::tools::Benchmark::RunProperties run_;
 };
 

@@ -4,16 +4,15 @@ Usually benchmark_planners runs it. Exit codes: 0 done; 2 the folders hold no re
 package is missing (one sentence says which).
 """
 import argparse
-import json
 import sys
-from dataclasses import asdict
 from pathlib import Path
 
 from campaign import read_campaign
 from database import make_database
 from failure import REPORT, Failure
-from runs import read_runs, starved
-from summary import json_row, summarise, text_table
+from reports import json_report, text_report
+from runs import read_runs
+from summary import summarise
 
 
 def load_plots():
@@ -37,24 +36,6 @@ def write_figures_and_page(campaign, runs, rows, out):
     part.write_text(make_page(campaign, runs, rows, figures), encoding="utf-8")
     part.replace(page)
     return ["index.html", *(f"{name}.png" for name, _, _ in figures)]
-
-
-def json_report(campaign, runs, rows, files):
-    return json.dumps({"status": "success", "exit": 0, "settings": campaign.manifest, "pairs_done": campaign.pairs,
-                       "planners": [json_row(row) for row in rows],
-                       "starved_runs": len(starved(runs)),
-                       "crashes": [asdict(crash) for crash in campaign.crashes], "files": files}, indent=2)
-
-
-def text_report(campaign, runs, rows):
-    lines = [text_table(rows), "lengths in % above the best known of each pair; all are medians over runs and pairs"]
-    lines += [f"crashed: {c.planner} on pair {c.pair}: {c.how} {c.said}".rstrip() for c in campaign.crashes]
-    lines += [f"not valid: {row.invalid} path(s) of {row.planner}" for row in rows if row.invalid]
-    if starved(runs):
-        lines.append(f"{len(starved(runs))} of {len(runs)} runs had less than 90 % of a core; their times are too long")
-    if len(campaign.pairs) < campaign.manifest["pairs"]:
-        lines.append(f"{len(campaign.pairs)} of {campaign.manifest['pairs']} pairs are done")
-    return "\n".join(lines)
 
 
 def make_report(folders, out, as_json):

@@ -26,6 +26,17 @@ class Campaign:
         return self.manifest["planners"]
 
     @property
+    def is_dive(self):
+        """Over a seabed, not on a chart."""
+        return "seabed" in self.manifest["arena"]
+
+    @property
+    def place(self):
+        """Where it was, in words."""
+        arena = self.manifest["arena"]
+        return f"over the seabed {arena['seabed']}" if self.is_dive else f"on the chart {', '.join(arena['charts'])}"
+
+    @property
     def pairs(self):
         """The numbers of the pairs that are done."""
         return sorted(self.logs)

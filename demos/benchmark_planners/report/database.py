@@ -60,7 +60,7 @@ def add_costs(connection):
     """In `runs`: best_known_cost of the run's pair over all planners and runs, excess_percent over it, and
     time_to_within_5_percent, ..._1_percent, ..._0_percent in seconds (NULL: never)."""
     add_columns(connection, "progress", ["best_cost"])
-    add_columns(connection, "runs", ["valid", "length", "legs", "turns", "turn_angle", "least_clearance",
+    add_columns(connection, "runs", ["valid", "unsafe", "length", "legs", "turns", "turn_angle", "least_clearance",
                                      "time_to_first_solution", "best_known_cost", "excess_percent",
                                      *(f"time_to_within_{p}_percent" for p in PERCENTS)])
     best = dict(connection.execute("SELECT experiments.pair, min(runs.length) FROM runs JOIN experiments "

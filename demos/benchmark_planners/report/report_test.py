@@ -17,6 +17,7 @@ from database import make_database
 from failure import REPORT, USAGE, Failure
 from histories import (cost_at, excess_over_time, excess_percent, logarithmic_times, solved_over_time, time_to_within)
 from quantiles import NEVER, Quartiles, quantile, quartiles
+from reports import text_report
 from runs import read_runs, starved
 from style import looks
 from summary import cells, json_row, number, summarise, text_table
@@ -101,6 +102,9 @@ class HistoryTest(unittest.TestCase):
             self.assertAlmostEqual(got, wanted)
 
 
+UNSAFE = "unsafe"  # in place of a run's list: its path was not valid, and not safe
+
+
 def log_of(pair, planners):
     """A log as ompl::tools::Benchmark writes it. A planner's runs: lists of (seconds, cost); none is unsolved."""
     lines = ["OMPL version ", f"Experiment pair-{pair:04}", "1 experiment properties", f"pair INTEGER = {pair}",
@@ -109,17 +113,19 @@ def log_of(pair, planners):
              "1 seconds spent to collect the data", "1 enum type", "status|Unknown status|Exact solution",
              f"{len(planners)} planners"]
     columns = ["least clearance REAL", "legs INTEGER", "length REAL", "processor time REAL", "solve time REAL",
-               "time to first solution REAL", "turn angle REAL", "turns INTEGER", "valid BOOLEAN"]
+               "time to first solution REAL", "turn angle REAL", "turns INTEGER", "unsafe BOOLEAN", "valid BOOLEAN"]
     for name, runs in planners.items():
         lines += ["geometric_" + name, "0 common properties", f"{len(columns)} properties for each run", *columns,
                   f"{len(runs)} runs"]
         for run in runs:
-            values = ["", "", "", 0.5, 1.0, "", "", "", ""]
-            if run:
-                values = [10, 3, run[-1][1], 1.0, 1.0, run[0][0], 90, 2, 1]
+            values = ["", "", "", 0.5, 1.0, "", "", "", "", ""]
+            if run == UNSAFE:
+                values[-2:] = [1, 0]
+            elif run:
+                values = [10, 3, run[-1][1], 1.0, 1.0, run[0][0], 90, 2, 0, 1]
             lines.append("".join(f"{value}; " for value in values))
         lines += ["2 progress properties for each run", "best cost REAL", "time REAL", f"{len(runs)} runs"]
-        lines += ["".join(f"{cost},{seconds},;" for seconds, cost in run) for run in runs]
+        lines += ["".join(f"{cost},{seconds},;" for seconds, cost in run) if run != UNSAFE else "" for run in runs]
         lines.append(".")
     return "\n".join(lines) + "\n"
 
@@ -130,6 +136,24 @@ SETTINGS = {"ompl": "1.5.2", "seed": 1, "pairs": 2, "runs": 2, "time_s": 2.0, "l
                       "columns": 10, "rows": 10, "blocked": 4, "fingerprint": "0"},
             "pair_list": [{"number": n, "start": [1.0, 2.0], "goal": [1.5, 2.5], "course_deg": 45.0,
                            "distance_m": 95.0} for n in (1, 2)]}
+
+
+DIVES = {**SETTINGS, "planners": ["PrismAStar", "RRTstar"],
+         "arena": {"seabed": "<deep>.nc", "columns": 10, "rows": 20, "spacing_m": [100.0, 90.5],
+                   "greatest_depth_m": 2000.0, "clearance_m": 50.0, "ceiling_m": 10.0, "deepest_m": None,
+                   "fingerprint": "0"},
+         "pair_list": [{"number": 1, "start": [1.0, 2.0, 30.0], "goal": [1.5, 2.5, 700.0], "course_deg": 45.0,
+                        "distance_m": 95.0, "seabed_in_the_way": True}]}
+
+
+def write_dives(folder):
+    """Results over a seabed: a pair, two runs of two planners, one of them unsafe."""
+    folder.mkdir(exist_ok=True)
+    (folder / "manifest.json").write_text(json.dumps(DIVES))
+    run = [(0.5, 100.0)]
+    (folder / "pair-0001.log").write_text(log_of(1, {"PrismAStar": [run, run], "RRTstar": [run, UNSAFE]}))
+    (folder / "pair-0001.json").write_text(json.dumps({"pair": 1, "seconds": 1, "logs": ["pair-0001.log"],
+                                                       "crashed": []}))
 
 
 def write_folder(folder, pairs, settings=None):
@@ -230,6 +254,40 @@ class CampaignTest(unittest.TestCase):
         self.assertIsNone(json_row(rows[1])["time_to_within_1_percent_s"]["median"])
         json.dumps([json_row(row) for row in rows], allow_nan=False)
 
+    def test_an_unsafe_dive_is_counted_loudly(self):
+        write_dives(self.folder / "a")
+        campaign, runs = self.results(self.folder / "a")
+        prisms, tree = rows = [summarise(planner, runs) for planner in campaign.planners]
+        self.assertEqual((prisms.runs, prisms.solved, prisms.invalid, prisms.unsafe), (2, 2, 0, 0))
+        self.assertEqual((tree.runs, tree.solved, tree.invalid, tree.unsafe), (2, 1, 1, 1))
+        self.assertEqual(json_row(tree, is_dive=True)["unsafe"], 1)
+        text = text_report(campaign, runs, rows)
+        self.assertIn("UNSAFE: 1 dive(s) of RRTstar", text)
+        self.assertNotIn("of PrismAStar", text)
+        self.assertRegex(text.splitlines()[0], r"solved %\s+unsafe\s+first ms")
+        self.assertRegex(text.splitlines()[2], r"RRT\*\s+50\.0\s+1\s")
+
+    def test_a_chart_has_no_column_of_unsafe_dives(self):
+        write_folder(self.folder / "a", [1, 2])
+        campaign, runs = self.results(self.folder / "a")
+        rows = [summarise(planner, runs) for planner in campaign.planners]
+        self.assertNotIn("unsafe", text_report(campaign, runs, rows).lower())
+        self.assertNotIn("unsafe", json_row(rows[0]))
+
+    def test_page_of_dives(self):
+        try:
+            from page import make_page  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            self.skipTest("no matplotlib")
+        write_dives(self.folder / "a")
+        campaign, runs = self.results(self.folder / "a")
+        page = make_page(campaign, runs, [summarise(planner, runs) for planner in campaign.planners], [])
+        for words in ("<h1>Planners over the seabed &lt;deep&gt;.nc</h1>", "UNSAFE: 1 dive(s)",
+                      "1.00000, 2.00000, 30 m", "50 m above the seabed", "in the way of the straight line of 1",
+                      "<th>unsafe</th>"):
+            self.assertIn(words, page)
+        self.assertNotIn("no deeper than", page)
+
     def test_page_is_self_contained(self):
         try:
             from page import make_page  # pylint: disable=import-outside-toplevel
@@ -255,8 +313,11 @@ class LookTest(unittest.TestCase):
         planners = ["HexAStar", "HexAStar-1", "HexAStar-2", "HexAStar-3", "SquareAStar", "RRTConnect+simplify",
                     "RRTstar", "InformedRRTstar", "PRMstar", "LazyPRMstar", "FMT-1000", "FMT-10000", "BITstar",
                     "ABITstar", "AITstar", "SomethingElse"]
-        found = looks(planners)
-        self.assertEqual(len({(look.colour, str(look.dashes)) for look in found.values()}), len(planners))
+        dives = ["LayeredPlanner-greedy", "LayeredPlanner-exact", "AntColony", "PrismAStar", "PrismAStar-climb",
+                 "RRTConnect+simplify", "RRTstar", "InformedRRTstar", "PRMstar", "BITstar"]
+        for names in (planners, dives):
+            found = looks(names)
+            self.assertEqual(len({(look.colour, str(look.dashes)) for look in found.values()}), len(names))
 
 
 class NumberTest(unittest.TestCase):

@@ -16,6 +16,7 @@ class Run:
     pair: int
     solved: bool = False
     invalid: bool = False  # it had a path, and that path was not valid
+    unsafe: bool = False   # a dive that did not keep the limits where it was looked at once more
     crashed: bool = False
     best_known: float = math.nan
     excess_percent: float = NEVER
@@ -60,6 +61,7 @@ def run_of_row(row, history):
     if number("solve_time", 0.0) >= 0.01:
         run.processor_share = number("processor_time", math.nan) / number("solve_time", math.nan)
     run.invalid = row["valid"] is not None and not int(row["valid"])
+    run.unsafe = row["unsafe"] is not None and bool(int(row["unsafe"]))
     run.solved = row["valid"] is not None and bool(int(row["valid"]))
     if run.solved:
         run.excess_percent = number("excess_percent", NEVER)

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 FAMILIES = (  # a part of the name, the colour; the first that fits
     ("HexAStar", "#0072b2"),
+    ("Layered", "#0072b2"),
+    ("AntColony", "#e69f00"),
     ("AStar", "#56b4e9"),
     ("RRTConnect", "#000000"),
     ("RRT", "#d55e00"),

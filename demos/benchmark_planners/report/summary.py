@@ -13,6 +13,7 @@ class Row:
     runs: int
     solved: int
     invalid: int
+    unsafe: int
     crashed: int
     first_solution: Quartiles
     excess_percent: Quartiles
@@ -35,8 +36,9 @@ def summarise(planner, runs):
     def of_paths(metric):
         return quartiles(getattr(run, metric) for run in with_path)
 
-    return Row(planner, len(own), len(with_path), sum(run.invalid for run in own), sum(run.crashed for run in own),
-               quartiles(run.first_solution for run in own), quartiles(run.excess_percent for run in own),
+    return Row(planner, len(own), len(with_path), sum(run.invalid for run in own), sum(run.unsafe for run in own),
+               sum(run.crashed for run in own), quartiles(run.first_solution for run in own),
+               quartiles(run.excess_percent for run in own),
                of_paths("turns"), of_paths("turn_angle"), of_paths("least_clearance"), of_paths("legs"),
                {percent: quartiles(run.time_to_within[percent] for run in own) for percent in PERCENTS})
 
@@ -71,17 +73,23 @@ HEADINGS = ["planner", "solved %", "first ms", "over best %: lower", "median", "
             "clear m", *(f"to {p} % ms" for p in PERCENTS)]
 
 
-def cells(row):
+def headings(is_dive=False):
+    """Of dives with a column more, which ought to hold nothing but zeros."""
+    return [*HEADINGS[:2], "unsafe", *HEADINGS[2:]] if is_dive else HEADINGS
+
+
+def cells(row, is_dive=False):
     """A row's texts in the order of the headings: medians, and the quartiles of the length."""
-    return [display_name(row.planner), number(row.solved_percent), number(1000 * row.first_solution.median),
+    unsafe = [str(row.unsafe)] if is_dive else []
+    return [display_name(row.planner), number(row.solved_percent), *unsafe, number(1000 * row.first_solution.median),
             percent(row.excess_percent.low), percent(row.excess_percent.median), percent(row.excess_percent.high),
             number(row.turns.median), number(row.turn_angle.median), clearance(row.least_clearance.median),
             *(number(1000 * row.time_to_within[p].median) for p in PERCENTS)]
 
 
-def text_table(rows):
-    lines = [HEADINGS, *map(cells, rows)]
-    widths = [max(len(line[i]) for line in lines) for i in range(len(HEADINGS))]
+def text_table(rows, is_dive=False):
+    lines = [headings(is_dive), *(cells(row, is_dive) for row in rows)]
+    widths = [max(len(line[i]) for line in lines) for i in range(len(lines[0]))]
     return "\n".join("  ".join([line[0].ljust(widths[0]), *(text.rjust(width)
                                                            for text, width in zip(line[1:], widths[1:]))])
                      for line in lines)
@@ -96,9 +104,10 @@ def json_quartiles(q):
     return {"lower": json_number(q.low), "median": json_number(q.median), "upper": json_number(q.high)}
 
 
-def json_row(row):
+def json_row(row, is_dive=False):
     return {"planner": row.planner, "runs": row.runs, "solved": row.solved, "invalid": row.invalid,
-            "crashed": row.crashed, "first_solution_s": json_quartiles(row.first_solution),
+            **({"unsafe": row.unsafe} if is_dive else {}), "crashed": row.crashed,
+            "first_solution_s": json_quartiles(row.first_solution),
             "excess_percent": json_quartiles(row.excess_percent), "turns": json_quartiles(row.turns),
             "turn_angle_deg": json_quartiles(row.turn_angle), "legs": json_quartiles(row.legs),
             "least_clearance_m": json_quartiles(row.least_clearance),
