@@ -8,8 +8,12 @@
 #include "common/DeepWater.h"
 #include "common/DivePairs.h"
 #include "common/Failure.h"
+#include "common/RasterSeabed.h"
+#include "support/DiveJudge.h"
 #include "support/Random.h"
 #include "support/Seabeds.h"
+#include "support/TestCharts.h"
+#include "support/TestRasters.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/StateValidityChecker.h>
@@ -26,10 +30,15 @@
 
 using namespace seahex;
 using namespace seahex::test;
-using namespace benchmark_planners;
+using benchmark_planners::diveRosterNames;
+using benchmark_planners::DiveVerdict;
+using benchmark_planners::DiveWorld;
+using benchmark_planners::RunJudge;
 using demos::DeepWater;
 using demos::DivePair;
 using demos::drawDivePairs;
+
+using Judge = benchmark_planners::DiveJudge;
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
@@ -52,7 +61,7 @@ std::shared_ptr<const Bathymetry> ridge()
 TEST(DiveJudge, catchesWhatDoesNotKeepTheLimits)
 {
     const auto seabed = ridge();
-    const DiveJudge judge(*seabed, {5.0, 3.0, 80.0});
+    const Judge judge(*seabed, {5.0, 3.0, 80.0});
     const Point3 west(500.0, 1500.0, 60.0);
     const Point3 top(2000.0, 1500.0, 14.0);
     const Point3 east(3500.0, 1500.0, 60.0);
@@ -79,7 +88,7 @@ TEST(DiveJudge, unknownSeabedIsNotSafe)
     std::vector<float> depths(27, 50.0f);
     depths[13] = Bathymetry::unknownDepth;  // in the middle
     const Bathymetry seabed(grid, depths);
-    const DiveJudge judge(seabed, {5.0, 0.0});
+    const Judge judge(seabed, {5.0, 0.0});
     EXPECT_TRUE(judge.judge({Point3(0.5, 0.5, 10.0), Point3(2.9, 1.5, 10.0)}).isSafe);
     EXPECT_FALSE(judge.judge({Point3(0.5, 0.5, 10.0), Point3(7.5, 0.5, 10.0)}).isSafe);
 }
@@ -93,7 +102,7 @@ TEST(DiveJudge, seesTheExactLeastWaterToATenthOfACell)
                 {
                     const auto seabed = randomSeabed(random, 12, 9, 0.0);
                     const DiveArena arena(seabed, {2.0, 0.0});
-                    const DiveJudge judge(*seabed, arena.limits());
+                    const Judge judge(*seabed, arena.limits());
                     constexpr double mostBetweenNodes = 75.0;  // see randomSeabed
                     for (int i = 0; i < 50; ++i)
                     {
@@ -109,6 +118,43 @@ TEST(DiveJudge, seesTheExactLeastWaterToATenthOfACell)
                             << a.transpose() << " to " << b.transpose();
                     }
                 });
+}
+
+// The same dives over the same raster, once with the library's reader and frame, once with neither.
+TEST(DiveJudge, agreesWithTheRasterAsGdalReadsIt)
+{
+    const TemporaryFolder folder;
+    Random random(11);
+    SCOPED_TRACE(random.seedText());
+    TestRaster raster;
+    raster.columns = 40;
+    raster.rows = 30;
+    raster.epsg = 4326;
+    raster.transform = {10.0, 0.002, 0.0, 45.0, 0.0, -0.001};
+    for (int i = 0; i < raster.columns * raster.rows; ++i)
+        raster.values.push_back(-random.real(30.0, 60.0));
+    writeRaster(folder / "seabed.tif", raster);
+    demos::DiveOptions options;
+    options.bathymetry = (folder / "seabed.tif").string();
+    const auto seabed = demos::readRaster(options).depths;
+    const DiveArena arena(seabed, {5.0, 1.0});
+    const Judge judge(*seabed, arena.limits());
+    const seahex::test::DiveJudge other(folder / "seabed.tif");
+    int safe = 0;
+    int unsafe = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+        const Point3 a = anyPosition(random, arena);
+        EXPECT_NEAR(judge.judge({a}).leastWaterM, other.waterBelow(a), 1e-4) << a.transpose();
+        Point3 b = a + 0.2 * (anyPosition(random, arena) - a);
+        const DiveVerdict verdict = judge.judge({a, b});
+        if (std::abs(verdict.leastWaterM - 5.0) < 0.5)
+            continue;  // their samples lie elsewhere
+        EXPECT_EQ(verdict.isSafe, other.fault({a, b}, 5.0, 1.0).empty()) << a.transpose() << " to " << b.transpose();
+        ++(verdict.isSafe ? safe : unsafe);
+    }
+    EXPECT_GT(safe, 50);
+    EXPECT_GT(unsafe, 50);
 }
 
 /// Numbers of cells that hang together, by joining neighbours until nothing changes: 0 where a node is too shallow.
@@ -218,6 +264,22 @@ TEST(DivePairs, areDrawnOverAnEvenSeabedToo)
     for (const DivePair &pair : drawDivePairs(deep, {4, 0.3, 1}))
         EXPECT_FALSE(pair.isSeabedInTheWay);
     EXPECT_THROW(drawDivePairs(deep, {4, 0.99, 1}), demos::Failure) << "no pair is so far apart in all headings";
+}
+
+TEST(DivePairs, lieInOneWater)
+{
+    // Land along column 12; the water to its east is the smaller one.
+    const NodeGrid grid(Point(0.0, 0.0), Point(100.0, 100.0), 21, 21);
+    std::vector<float> depths;
+    for (int row = 0; row < 21; ++row)
+        for (int column = 0; column < 21; ++column)
+            depths.push_back(column == 12 ? -5.0f : 50.0f);
+    const DiveArena arena(std::make_shared<const Bathymetry>(grid, depths), {5.0, 0.0});
+    for (const DivePair &pair : drawDivePairs(arena, {8, 0.1, 1}))
+    {
+        EXPECT_LT(pair.start.x(), 1200.0);
+        EXPECT_LT(pair.goal.x(), 1200.0);
+    }
 }
 
 /// A checker that finds no fault with anything.
