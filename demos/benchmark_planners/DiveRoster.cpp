@@ -40,8 +40,8 @@ ob::PlannerPtr climbingPrisms(const ob::SpaceInformationPtr &si, const demos::Di
     return planner;
 }
 
-/// As it comes, but without pruning. Over hundreds of miles of shallow water few samples can better a path, so they pile
-/// up, and OMPL 1.5.2 prunes them one by one, for minutes, without a look at the clock.
+/// As it comes, but without pruning. Over hundreds of miles of shallow water few samples can better a path, so they
+/// pile up, and OMPL 1.5.2 prunes them one by one, for minutes, without a look at the clock.
 ob::PlannerPtr unprunedTrees(const ob::SpaceInformationPtr &si, const demos::DivePlannerSettings &)
 {
     auto planner = std::make_shared<og::BITstar>(si);

@@ -43,28 +43,30 @@ std::unique_ptr<World> makeChartWorld(const Options &options)
         drawPairs(occupancy, demos::LargestWater(occupancy), {options.pairs, options.leastDistance, options.seed}));
 }
 
+std::shared_ptr<const seahex::DiveArena> makeDiveArena(const demos::RasterSeabed &seabed,
+                                                       const seahex::DiveLimits &limits, const std::string &name)
+{
+    try
+    {
+        return std::make_shared<const seahex::DiveArena>(seabed.depths, limits);
+    }
+    catch (const std::runtime_error &error)
+    {
+        throw demos::Failure(demos::Exit::Chart, name + ": " + error.what());
+    }
+}
+
 std::unique_ptr<World> makeDiveWorld(const Options &options)
 {
     demos::Progress progress;
     progress.stage("reading the seabed");
     const demos::RasterSeabed seabed = demos::readRaster(options.dive);
     const std::string name = std::filesystem::path(options.dive.bathymetry).filename().string();
+    const auto arena = makeDiveArena(seabed, options.dive.limits, name);
     progress.stage("drawing pairs");
-    try
-    {
-        const auto arena = std::make_shared<const seahex::DiveArena>(seabed.depths, options.dive.limits);
-        return std::make_unique<DiveWorld>(
-            name, arena, seabed.projection,
-            demos::drawDivePairs(*arena, {options.pairs, options.leastDistance, options.seed}));
-    }
-    catch (const demos::Failure &)
-    {
-        throw;
-    }
-    catch (const std::runtime_error &error)
-    {
-        throw demos::Failure(demos::Exit::Chart, name + ": " + error.what());
-    }
+    return std::make_unique<DiveWorld>(
+        name, arena, seabed.projection,
+        demos::drawDivePairs(*arena, {options.pairs, options.leastDistance, options.seed}));
 }
 
 std::string pairLine(unsigned number, const PairFacts &pair)

@@ -98,6 +98,15 @@ TEST_F(DiveBenchmark, comparesPlannersAndFindsEveryDiveSafe)
     }
 }
 
+TEST_F(DiveBenchmark, helpNamesTheOptionsOfDivesAndTheirPlanners)
+{
+    const ProgramResult help = benchmark({"--help"});
+    EXPECT_EQ(help.exitCode, 0) << help.summary();
+    for (const char *word : {"--bathymetry", "--band", "--values", "--datum-offset", "--no-data", "--degrees",
+                             "--clearance", "--ceiling", "--deepest", "LayeredPlanner-greedy", "PrismAStar-climb"})
+        EXPECT_NE(help.out.find(word), std::string::npos) << word;
+}
+
 TEST_F(DiveBenchmark, refusesAFolderOfOtherLimits)
 {
     const Arguments few = {"--bathymetry", seabed(), "--pairs",      "1",       "--time", "0.1", "--planners",

@@ -27,8 +27,8 @@ ON_CHARTS = {
 }
 UNDER_WATER = {
     "planners": "all with their defaults; +simplify runs the path simplifier on the clock; LayeredPlanner and "
-                "AntColony on 25 x 25 x 25 points; PrismAStar-climb climbs no steeper than a fifth of its way over "
-                "ground, which the others may.",
+                "AntColony on 25 x 25 x 25 points; BIT* without pruning; PrismAStar-climb climbs no "
+                "steeper than a fifth of its way over ground, which the others may.",
     "solved": "exact solution that keeps the limits; anything else counts as unsolved, and as infinite in medians and "
               "quartiles.",
     "unsafe": "dives that did not keep clearance, ceiling or coverage when they were looked at once more, by other "
