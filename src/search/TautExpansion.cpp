@@ -1,0 +1,457 @@
+#include "search/TautExpansion.h"
+
+#include "seahex/world/SegmentValidity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace seahex
+{
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A start or goal so near to a line between strips is put onto it.
+double ontoLine(double y)
+{
+    const double whole = std::round(y);
+    return std::abs(y - whole) < 1e-9 ? whole : y;
+}
+
+}  // namespace
+
+void TautSearch::Expansion::begin(const Point &start, const Point &goal, double bound)
+{
+    queue_.clear();
+    expanded_ = 0;
+    hasPath_ = false;
+    length_ = infinite;
+    least_ = 0.0;
+    bound_ = bound / strips_.unit();
+    planeStart_ = start;
+    planeGoal_ = goal;
+    roots_.begin(0.0, 0.0);
+    if (!isFree(occupancy_, start, start) || !isFree(occupancy_, goal, goal))
+        return;
+    const auto cellOf = [this](const Point &p, Whole &row, Whole &x)
+    {
+        const OffsetCoord cell = toOffset(occupancy_.lattice().cellAt(p));
+        row = cell.row;
+        x = HexStrips::centre(cell);
+    };
+    cellOf(start, startRow_, startX_);
+    cellOf(goal, goalRow_, goalX_);
+    start_ = strips_.fromPlane(start);
+    goal_ = strips_.fromPlane(goal);
+    start_.y = ontoLine(start_.y);
+    goal_.y = ontoLine(goal_.y);
+    const Whole third = HexStrips::floor(goal_.y / 3.0);
+    goalAmongTips_ = goal_.y < static_cast<double>(3 * third + 1);
+    goalNorthRow_ = goalAmongTips_ ? third - 1 : third;
+    roots_.begin(start_.x, start_.y);
+    expandStart();
+}
+
+double TautSearch::Expansion::lowerBound() const
+{
+    if (hasPath_)
+        return length();
+    const double least = queue_.empty() ? bound_ : std::min(bound_, std::max(least_, queue_.least()));
+    return least * strips_.unit();
+}
+
+std::vector<Point> TautSearch::Expansion::path() const
+{
+    std::vector<Point> points;
+    if (!hasPath_)
+        return points;
+    points.push_back(planeGoal_);
+    for (std::uint32_t root = last_; root != 0; root = roots_[root].before)
+        points.push_back(strips_.toPlane({roots_[root].x, roots_[root].y}));
+    points.push_back(planeStart_);
+    std::reverse(points.begin(), points.end());
+    return points;
+}
+
+void TautSearch::Expansion::step()
+{
+    const TautNode node = queue_.take();
+    least_ = std::max(least_, node.estimate);
+    ++expanded_;
+    switch (node.kind())
+    {
+        case TautNode::Kind::Southward:
+        case TautNode::Kind::Northward:
+            expandInterval(node);
+            break;
+        case TautNode::Kind::Corner:
+            if (node.west <= roots_[node.root].length)
+                expandCorner(node.root);
+            break;
+        case TautNode::Kind::Goal:
+            hasPath_ = true;
+            last_ = node.root;
+            length_ = roots_[node.root].length + toGoal(roots_[node.root].x, roots_[node.root].y);
+            break;
+    }
+}
+
+void TautSearch::Expansion::expandInterval(const TautNode &node)
+{
+    const int way = node.kind() == TautNode::Kind::Southward ? 1 : -1;
+    const TautRoots::Root &root = roots_[node.root];
+    const double depth = std::abs(HexStrips::entryLine(node.row(), way) - root.y);
+    crossRow(
+        {node.root, {root.x, root.y}, node.west, node.east, (node.west - root.x) / depth, (node.east - root.x) / depth},
+        node.row(), way);
+}
+
+void TautSearch::Expansion::crossRow(View view, Whole row, int way)
+{
+    const double exit = HexStrips::exitLine(row, way);
+    const double depth = std::abs(exit - view.from.y);
+    const double westBefore = view.west;
+    const double eastBefore = view.east;
+    View next = view;
+    next.west = view.from.x + view.westSlope * depth;
+    next.east = view.from.x + view.eastSlope * depth;
+
+    // a blocked cell's upright wall, where it stands between the ray and what is seen
+    const Whole inWest = strips_.blockedWest(row, HexStrips::cellWestOf(row, westBefore), next.west - nearness - 1.0);
+    const Whole inEast = strips_.blockedEast(row, HexStrips::cellEastOf(row, eastBefore), next.east + nearness + 1.0);
+    const double westWall = inWest == HexStrips::none ? -infinite : static_cast<double>(inWest + 1);
+    const double eastWall = inEast == HexStrips::none ? infinite : static_cast<double>(inEast - 1);
+    if (!goalAmongTips_ && goalNorthRow_ == row && seesGoalInRow(view, westWall, eastWall, way))
+        pushGoal(view.root);
+    const bool atWestWall = next.west <= westWall + nearness;
+    const bool atEastWall = next.east >= eastWall - nearness;
+    if (atWestWall)
+    {
+        next.west = westWall;
+        next.westSlope = (westWall - view.from.x) / depth;
+    }
+    if (atEastWall)
+    {
+        next.east = eastWall;
+        next.eastSlope = (eastWall - view.from.x) / depth;
+    }
+    if (next.west > next.east + nearness)
+        return;
+    if (atWestWall)
+        see(view.root, westWall, exit);
+    if (atEastWall)
+        see(view.root, eastWall, exit);
+    crossTips(next, row, way);
+}
+
+void TautSearch::Expansion::crossTips(View view, Whole row, int way)
+{
+    const Whole next = row + way;
+    const double exit = HexStrips::exitLine(row, way);
+    const double depth = std::abs(exit - view.from.y);
+    const double farDepth = depth + 1.0;
+
+    if (isGoalAmongTips(row, way))
+    {
+        const double at = view.from.x + (goal_.x - view.from.x) * depth / std::abs(goal_.y - view.from.y);
+        if (at >= view.west - nearness && at <= view.east + nearness && reachesGoalAmongTips(at, row, way))
+            pushGoal(view.root);
+        if (goalRow_ == row)
+            for (const double tip : {static_cast<double>(goalX_ - 1), static_cast<double>(goalX_ + 1)})
+                if (tip >= view.west - nearness && tip <= view.east + nearness)
+                    see(view.root, tip, exit);
+    }
+
+    // Tips of blocked cells of the next row stand on the exit line and part what is seen there. Only those that a
+    // shallow ray passes can turn a taut path, and of a run of blocked cells only the last.
+    const Whole firstTip = HexStrips::firstCentreFrom(next, view.west - nearness);
+    const Whole lastTip = HexStrips::lastCentreTo(next, view.east + nearness);
+
+    // the first part begins with the western ray, unless what lies west cuts it off
+    double west = view.from.x + view.westSlope * farDepth;
+    bool cornerWest = false;
+    {
+        const Whole tip = strips_.blockedWest(next, firstTip - 2, west - nearness - 1.0);
+        const Whole wall = strips_.blockedWest(row, HexStrips::cellWestOf(row, view.west), west - nearness);
+        const double end = std::max(tip == HexStrips::none ? -infinite : static_cast<double>(tip + 1),
+                                    wall == HexStrips::none ? -infinite : static_cast<double>(wall));
+        if (west <= end + nearness)
+        {
+            west = end;
+            cornerWest = true;
+        }
+    }
+    Whole blocked = strips_.blockedEast(next, firstTip, static_cast<double>(lastTip));
+    while (blocked != HexStrips::none)
+    {
+        const double tip = static_cast<double>(blocked);
+        const double slope = (tip - view.from.x) / depth;
+        if (slope <= -1.0 + nearness)
+            see(view.root, tip, exit);
+        const bool cornerEast = slope >= -1.0 - nearness;
+        pushPart(view, next, way, west, cornerWest, cornerEast ? tip - 1.0 : tip + slope, cornerEast);
+
+        const Whole free = strips_.freeEast(next, blocked, static_cast<double>(lastTip + 2));
+        if (free == HexStrips::none)
+            return;  // what is left is a pocket
+        const double last = static_cast<double>(free - 2);
+        const double lastSlope = (last - view.from.x) / depth;
+        if (lastSlope >= 1.0 - nearness)
+            see(view.root, last, exit);
+        cornerWest = lastSlope <= 1.0 + nearness;
+        west = cornerWest ? last + 1.0 : last + lastSlope;
+        blocked = strips_.blockedEast(next, free, static_cast<double>(lastTip));
+    }
+    double east = view.from.x + view.eastSlope * farDepth;
+    bool cornerEast = false;
+    {
+        const Whole tip = strips_.blockedEast(next, lastTip + 2, east + nearness + 1.0);
+        const Whole wall = strips_.blockedEast(row, HexStrips::cellEastOf(row, view.east), east + nearness);
+        const double end = std::min(tip == HexStrips::none ? infinite : static_cast<double>(tip - 1),
+                                    wall == HexStrips::none ? infinite : static_cast<double>(wall));
+        if (east >= end - nearness)
+        {
+            east = end;
+            cornerEast = true;
+        }
+    }
+    pushPart(view, next, way, west, cornerWest, east, cornerEast);
+}
+
+void TautSearch::Expansion::pushPart(const View &view, Whole row, int way, double west, bool cornerWest, double east,
+                                     bool cornerEast)
+{
+    if (west > east + nearness)
+        return;
+    const double line = HexStrips::entryLine(row, way);
+    if (cornerWest)
+        see(view.root, west, line);
+    if (cornerEast)
+        see(view.root, east, line);
+    pushInterval(view, row, way, west, east);
+}
+
+void TautSearch::Expansion::expandStart()
+{
+    const View all = {0, start_, start_.x, start_.x, -infinite, infinite};
+    const Whole third = HexStrips::floor(start_.y / 3.0);
+    const double base = static_cast<double>(3 * third);
+    if (start_.y == base)
+    {
+        crossRow(all, third - 1, -1);
+        lookAmongTips(third - 1, false, true);
+    }
+    else if (start_.y < base + 1.0)
+        lookAmongTips(third - 1, true, true);
+    else if (start_.y == base + 1.0)
+    {
+        crossRow(all, third, 1);
+        lookAmongTips(third - 1, true, false);
+    }
+    else
+    {
+        crossRow(all, third, 1);
+        crossRow(all, third, -1);
+    }
+}
+
+void TautSearch::Expansion::lookAmongTips(Whole north, bool northward, bool southward)
+{
+    const Whole south = north + 1;
+    const double northLine = static_cast<double>(3 * south);
+    const double southLine = northLine + 1.0;
+    // the triangle of the start's cell; on a line it may belong to another row's cell, which is free as well
+    const Whole at = startX_;
+    const auto latest = [](Whole a, Whole b)
+    {
+        return std::max(a, b);
+    };
+    const Whole westNorth =
+        strips_.blockedWest(north, HexStrips::lastCentreTo(north, static_cast<double>(at)), -infinite);
+    const Whole westSouth =
+        strips_.blockedWest(south, HexStrips::lastCentreTo(south, static_cast<double>(at)), -infinite);
+    const Whole eastNorth =
+        strips_.blockedEast(north, HexStrips::firstCentreFrom(north, static_cast<double>(at)), infinite);
+    const Whole eastSouth =
+        strips_.blockedEast(south, HexStrips::firstCentreFrom(south, static_cast<double>(at)), infinite);
+    const double west = static_cast<double>(latest(westNorth, westSouth));
+    const double east = static_cast<double>(std::min(eastNorth, eastSouth));
+    const bool westIsNorth = westNorth > westSouth;
+    const bool eastIsNorth = eastNorth < eastSouth;
+    const View view = {0, start_, 0.0, 0.0, 0.0, 0.0};
+    const double northWest = west + (westIsNorth ? 1.0 : 0.0);
+    const double northEast = east - (eastIsNorth ? 1.0 : 0.0);
+    const double southWest = west + (westIsNorth ? 0.0 : 1.0);
+    const double southEast = east - (eastIsNorth ? 0.0 : 1.0);
+    see(0, northWest, northLine);
+    see(0, northEast, northLine);
+    see(0, southWest, southLine);
+    see(0, southEast, southLine);
+    if (goalAmongTips_ && goalNorthRow_ == north && static_cast<double>(goalX_) > west &&
+        static_cast<double>(goalX_) < east)
+        pushGoal(0);
+    if (northward)
+        pushInterval(view, north, -1, northWest, northEast);
+    if (southward)
+        pushInterval(view, south, 1, southWest, southEast);
+}
+
+void TautSearch::Expansion::expandCorner(std::uint32_t number)
+{
+    const TautRoots::Root root = roots_[number];
+    const TautRoots::Root &before = roots_[root.before];
+    const double dx = root.x - before.x;
+    const double dy = root.y - before.y;
+    const TautTurn turn(strips_, {root.x, root.y}, dx, dy);
+    const int way = turn.way;
+    View view = {number, {root.x, root.y}, root.x, root.x, 0.0, 0.0};
+    switch (turn.along)
+    {
+        case TautTurn::Along::Tip:
+            expandTip(number, turn, dx, dy);
+            break;
+        case TautTurn::Along::Upright:
+        {
+            const double ahead = dx / std::abs(dy);
+            view.westSlope = std::min(ahead, 0.0);
+            view.eastSlope = std::max(ahead, 0.0);
+            crossRow(view, turn.row, way);
+            break;
+        }
+        case TautTurn::Along::Slanted:
+        {
+            // the cell ahead stands on the corner with its tip, and all that is seen of it is seen through its base
+            const double ahead = root.x + dx / std::abs(dy);
+            const double end = root.x + turn.side;
+            const double line = root.y - way;
+            see(number, end, line);
+            if (isGoalAmongTips(turn.row, -way) && goalRow_ == turn.row - way && goalX_ == turn.x)
+                pushGoal(number);
+            pushInterval(view, turn.row - way, -way, std::min(ahead, end), std::max(ahead, end));
+            break;
+        }
+        case TautTurn::Along::Nothing:
+            break;
+    }
+}
+
+void TautSearch::Expansion::expandTip(std::uint32_t number, const TautTurn &turn, double dx, double dy)
+{
+    const TautRoots::Root root = roots_[number];
+    const int way = turn.way;
+    const int side = turn.side;
+    const double along = dy * way;  // towards the row
+    View view = {number, {root.x, root.y}, root.x, root.x, 0.0, 0.0};
+    if (along > 0.0)
+    {
+        view.westSlope = side > 0 ? dx / along : -infinite;
+        view.eastSlope = side > 0 ? infinite : dx / along;
+        crossRow(view, turn.row, way);
+    }
+
+    // Beside the blocked tip, away from the row: up to the level ray, or to the way the path came.
+    const Whole row = turn.row;
+    const Whole next = row - way;
+    const double line = root.y - way;
+    const double reach = along < 0.0 ? root.x + dx / -along : side * infinite;
+    const bool seesLevel = along >= 0.0;
+    const Whole tip = side > 0 ? strips_.blockedEast(next, turn.x + 2, reach + nearness + 1.0)
+                               : strips_.blockedWest(next, turn.x - 2, reach - nearness - 1.0);
+    const Whole wall = side > 0 ? strips_.blockedEast(row, turn.x + 1, reach + nearness)
+                                : strips_.blockedWest(row, turn.x - 1, reach - nearness);
+    const bool endsAtTip = tip != HexStrips::none && (wall == HexStrips::none || side * (wall - tip + side) > 0);
+    if (seesLevel && endsAtTip)
+        see(number, static_cast<double>(tip), root.y);
+    see(number, root.x + side, line);
+    double end = reach;
+    if (endsAtTip || wall != HexStrips::none)
+    {
+        const double limit = static_cast<double>(endsAtTip ? tip - side : wall);
+        if (side * (reach - limit) >= -nearness)
+        {
+            end = limit;
+            see(number, limit, line);
+        }
+    }
+    if (isGoalAmongTips(row, -way) && side * (goalX_ - turn.x) > 0 && reachesGoalAmongTips(root.x, row, -way))
+        pushGoal(number);
+    if (side > 0)
+        pushInterval(view, next, -way, root.x + 1.0, end);
+    else
+        pushInterval(view, next, -way, end, root.x - 1.0);
+}
+
+bool TautSearch::Expansion::seesGoalInRow(const View &view, double westWall, double eastWall, int way) const
+{
+    const double depth = (goal_.y - view.from.y) * way;
+    if (depth < 0.0 || goal_.x < westWall - nearness || goal_.x > eastWall + nearness)
+        return false;
+    if (depth == 0.0)  // level with a root on the entry line or inside the row
+        return goal_.x < view.from.x ? view.westSlope == -infinite : view.eastSlope == infinite;
+    return goal_.x >= view.from.x + view.westSlope * depth - nearness &&
+           goal_.x <= view.from.x + view.eastSlope * depth + nearness;
+}
+
+bool TautSearch::Expansion::isGoalAmongTips(Whole row, int way) const
+{
+    return goalAmongTips_ && goalNorthRow_ == std::min(row, row + way);
+}
+
+bool TautSearch::Expansion::reachesGoalAmongTips(double fromX, Whole row, int way) const
+{
+    const Whole first =
+        goal_.x >= fromX ? HexStrips::cellEastOf(row, fromX + nearness) : HexStrips::cellWestOf(row, fromX - nearness);
+    const double west = static_cast<double>(std::min(first, goalX_));
+    const double east = static_cast<double>(std::max(first, goalX_));
+    for (const Whole either : {row, row + way})
+        if (strips_.blockedEast(either, HexStrips::firstCentreFrom(either, west), east) != HexStrips::none)
+            return false;
+    return true;
+}
+
+void TautSearch::Expansion::pushInterval(const View &view, Whole row, int way, double west, double east)
+{
+    if (east - west <= nearness)
+        return;
+    // a path that comes back to the goal on this side of the line is as long as one to the goal's mirror image
+    const double line = HexStrips::entryLine(row, way);
+    const double depth = std::abs(line - view.from.y);
+    const double beyond = std::abs(goal_.y - line);
+    const double crossing = view.from.x + (goal_.x - view.from.x) * depth / (depth + beyond);
+    const double rest = crossing < west   ? stripNorm(west - view.from.x, depth) + stripNorm(goal_.x - west, beyond)
+                        : crossing > east ? stripNorm(east - view.from.x, depth) + stripNorm(goal_.x - east, beyond)
+                                          : stripNorm(goal_.x - view.from.x, depth + beyond);
+    const double estimate = roots_[view.root].length + rest;
+    if (estimate < bound_)
+        queue_.push({estimate, west, east, view.root,
+                     TautNode::pack(row, way > 0 ? TautNode::Kind::Southward : TautNode::Kind::Northward)});
+}
+
+void TautSearch::Expansion::pushGoal(std::uint32_t number)
+{
+    const TautRoots::Root &root = roots_[number];
+    const double estimate = root.length + toGoal(root.x, root.y);
+    if (estimate < bound_)
+        queue_.push({estimate, 0.0, 0.0, number, TautNode::pack(0, TautNode::Kind::Goal)});
+}
+
+void TautSearch::Expansion::see(std::uint32_t number, double x, double y)
+{
+    const TautRoots::Root root = roots_[number];
+    const double dx = x - root.x;
+    const double dy = y - root.y;
+    const double length = root.length + stripNorm(dx, dy);
+    const double estimate = length + toGoal(x, y);
+    if (estimate >= bound_)
+        return;
+    const TautTurn turn(strips_, {x, y}, dx, dy);
+    if (turn.along == TautTurn::Along::Nothing || turn.isPocket(strips_, dx, dy, goalRow_, goalX_))
+        return;
+    const std::uint32_t corner = roots_.improve(x, y, length, number);
+    if (corner != 0)
+        queue_.push({estimate, length, 0.0, corner, TautNode::pack(0, TautNode::Kind::Corner)});
+}
+
+}  // namespace seahex
