@@ -84,6 +84,7 @@ void TautSearch::Expansion::step()
     {
         case TautNode::Kind::Southward:
         case TautNode::Kind::Northward:
+            if (!isDominated(node))
             expandInterval(node);
             break;
         case TautNode::Kind::Corner:
@@ -104,7 +105,7 @@ void TautSearch::Expansion::expandInterval(const TautNode &node)
     const TautRoots::Root &root = roots_[node.root];
     const double depth = std::abs(HexStrips::entryLine(node.row(), way) - root.y);
     crossRow(
-        {node.root, {root.x, root.y}, node.west, node.east, (node.west - root.x) / depth, (node.east - root.x) / depth},
+        {node.root, {root.x, root.y}, node.west, node.east, (node.west - root.x) / depth, (node.east - root.x) / depth, node.westCorner, node.eastCorner},
         node.row(), way);
 }
 
@@ -140,9 +141,9 @@ void TautSearch::Expansion::crossRow(View view, Whole row, int way)
     if (next.west > next.east + nearness)
         return;
     if (atWestWall)
-        see(view.root, westWall, exit);
+        next.westCorner = see(view.root, westWall, exit);
     if (atEastWall)
-        see(view.root, eastWall, exit);
+        next.eastCorner = see(view.root, eastWall, exit);
     crossTips(next, row, way);
 }
 
@@ -172,6 +173,7 @@ void TautSearch::Expansion::crossTips(View view, Whole row, int way)
     // the first part begins with the western ray, unless what lies west cuts it off
     double west = view.from.x + view.westSlope * farDepth;
     bool cornerWest = false;
+    const std::uint32_t lastCorner = view.eastCorner;
     {
         const Whole tip = strips_.blockedWest(next, firstTip - 2, west - nearness - 1.0);
         const Whole wall = strips_.blockedWest(row, HexStrips::cellWestOf(row, view.west), west - nearness);
@@ -188,8 +190,7 @@ void TautSearch::Expansion::crossTips(View view, Whole row, int way)
     {
         const double tip = static_cast<double>(blocked);
         const double slope = (tip - view.from.x) / depth;
-        if (slope <= -1.0 + nearness)
-            see(view.root, tip, exit);
+        view.eastCorner = slope <= -1.0 + nearness ? see(view.root, tip, exit) : 0;
         const bool cornerEast = slope >= -1.0 - nearness;
         pushPart(view, next, way, west, cornerWest, cornerEast ? tip - 1.0 : tip + slope, cornerEast);
 
@@ -198,8 +199,7 @@ void TautSearch::Expansion::crossTips(View view, Whole row, int way)
             return;  // what is left is a pocket
         const double last = static_cast<double>(free - 2);
         const double lastSlope = (last - view.from.x) / depth;
-        if (lastSlope >= 1.0 - nearness)
-            see(view.root, last, exit);
+        view.westCorner = lastSlope >= 1.0 - nearness ? see(view.root, last, exit) : 0;
         cornerWest = lastSlope <= 1.0 + nearness;
         west = cornerWest ? last + 1.0 : last + lastSlope;
         blocked = strips_.blockedEast(next, free, static_cast<double>(lastTip));
@@ -217,19 +217,20 @@ void TautSearch::Expansion::crossTips(View view, Whole row, int way)
             cornerEast = true;
         }
     }
+    view.eastCorner = lastCorner;
     pushPart(view, next, way, west, cornerWest, east, cornerEast);
 }
 
-void TautSearch::Expansion::pushPart(const View &view, Whole row, int way, double west, bool cornerWest, double east,
+void TautSearch::Expansion::pushPart(View view, Whole row, int way, double west, bool cornerWest, double east,
                                      bool cornerEast)
 {
     if (west > east + nearness)
         return;
     const double line = HexStrips::entryLine(row, way);
     if (cornerWest)
-        see(view.root, west, line);
+        view.westCorner = see(view.root, west, line);
     if (cornerEast)
-        see(view.root, east, line);
+        view.eastCorner = see(view.root, east, line);
     pushInterval(view, row, way, west, east);
 }
 
@@ -426,7 +427,7 @@ void TautSearch::Expansion::pushInterval(const View &view, Whole row, int way, d
     const double estimate = roots_[view.root].length + rest;
     if (estimate < bound_)
         queue_.push({estimate, west, east, view.root,
-                     TautNode::pack(row, way > 0 ? TautNode::Kind::Southward : TautNode::Kind::Northward)});
+                     TautNode::pack(row, way > 0 ? TautNode::Kind::Southward : TautNode::Kind::Northward), view.westCorner, view.eastCorner});
 }
 
 void TautSearch::Expansion::pushGoal(std::uint32_t number)
@@ -434,24 +435,40 @@ void TautSearch::Expansion::pushGoal(std::uint32_t number)
     const TautRoots::Root &root = roots_[number];
     const double estimate = root.length + toGoal(root.x, root.y);
     if (estimate < bound_)
-        queue_.push({estimate, 0.0, 0.0, number, TautNode::pack(0, TautNode::Kind::Goal)});
+        queue_.push({estimate, 0.0, 0.0, number, TautNode::pack(0, TautNode::Kind::Goal), 0, 0});
 }
 
-void TautSearch::Expansion::see(std::uint32_t number, double x, double y)
+std::uint32_t TautSearch::Expansion::see(std::uint32_t number, double x, double y)
 {
     const TautRoots::Root root = roots_[number];
     const double dx = x - root.x;
     const double dy = y - root.y;
+    const TautTurn turn(strips_, {x, y}, dx, dy);
+    if (turn.along == TautTurn::Along::Nothing || turn.isPocket(strips_, dx, dy, goalRow_, goalX_))
+        return roots_.find(x, y);
     const double length = root.length + stripNorm(dx, dy);
     const double estimate = length + toGoal(x, y);
     if (estimate >= bound_)
-        return;
-    const TautTurn turn(strips_, {x, y}, dx, dy);
-    if (turn.along == TautTurn::Along::Nothing || turn.isPocket(strips_, dx, dy, goalRow_, goalX_))
-        return;
-    const std::uint32_t corner = roots_.improve(x, y, length, number);
-    if (corner != 0)
-        queue_.push({estimate, length, 0.0, corner, TautNode::pack(0, TautNode::Kind::Corner)});
+        return roots_.find(x, y);
+    const auto [corner, improved] = roots_.improve(x, y, length, number);
+    if (improved)
+        queue_.push({estimate, length, 0.0, corner, TautNode::pack(0, TautNode::Kind::Corner), 0, 0});
+    return corner;
+}
+
+bool TautSearch::Expansion::isDominated(const TautNode &node) const
+{
+    const int way = node.kind() == TautNode::Kind::Southward ? 1 : -1;
+    const double line = HexStrips::entryLine(node.row(), way);
+    const TautRoots::Root &root = roots_[node.root];
+    const auto reaches = [&](std::uint32_t number, double x)
+    {
+        const TautRoots::Root &corner = roots_[number];
+        return corner.length + stripNorm(x - corner.x, line - corner.y) <
+               (root.length + stripNorm(x - root.x, line - root.y)) * (1.0 - 1e-12) - 1e-9;
+    };
+    return (node.westCorner != 0 && reaches(node.westCorner, node.east)) ||
+           (node.eastCorner != 0 && reaches(node.eastCorner, node.west));
 }
 
 }  // namespace seahex

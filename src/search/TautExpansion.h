@@ -49,6 +49,8 @@ private:
         double east;
         double westSlope;  ///< x for each y that the ray goes on
         double eastSlope;
+        std::uint32_t westCorner = 0;  ///< the last corner known on the western ray; 0 for none
+        std::uint32_t eastCorner = 0;
     };
 
     void expandStart();
@@ -66,12 +68,14 @@ private:
     void lookAmongTips(Whole north, bool northward, bool southward);
 
     /// Queues the interval of a view on the entry line of a row, and the corners that end it.
-    void pushPart(const View &view, Whole row, int way, double west, bool cornerWest, double east, bool cornerEast);
+    void pushPart(View view, Whole row, int way, double west, bool cornerWest, double east, bool cornerEast);
     /// Queues the interval of a view on the entry line of a row.
     void pushInterval(const View &view, Whole row, int way, double west, double east);
     void pushGoal(std::uint32_t root);
     /// Queues a corner that a root sees if a taut path can turn there.
-    void see(std::uint32_t root, double x, double y);
+    /// @return its number if any way to it is known, else 0
+    std::uint32_t see(std::uint32_t root, double x, double y);
+    bool isDominated(const TautNode &node) const;
 
     bool seesGoalInRow(const View &view, double westWall, double eastWall, int way) const;
     /// Is there nothing but free tips between a place on the exit line and the goal?

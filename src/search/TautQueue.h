@@ -23,6 +23,8 @@ struct TautNode
     double east;
     std::uint32_t root;
     std::uint32_t rowAndKind;
+    std::uint32_t westCorner;  ///< the last corner on the western ray; 0 if none is known
+    std::uint32_t eastCorner;
 
     Kind kind() const { return static_cast<Kind>(rowAndKind & 3U); }
     std::int64_t row() const { return rowAndKind >> 2; }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace seahex
@@ -30,9 +31,23 @@ public:
     const Root &operator[](std::uint32_t number) const { return roots_[number]; }
     std::size_t size() const { return roots_.size(); }
 
+    /// The number of a corner to which a way is known; 0 if none is.
+    std::uint32_t find(double x, double y) const
+    {
+        std::size_t slot = slotOf(x, y);
+        while (slots_[slot] != 0)
+        {
+            const Root &known = roots_[slots_[slot]];
+            if (known.x == x && known.y == y)
+                return slots_[slot];
+            slot = (slot + 1) & (slots_.size() - 1);
+        }
+        return 0;
+    }
+
     /// Notes a way to a corner.
-    /// @return the corner's number; 0 if a way no longer was known
-    std::uint32_t improve(double x, double y, double length, std::uint32_t before)
+    /// @return the corner's number; true if no way as short was known
+    std::pair<std::uint32_t, bool> improve(double x, double y, double length, std::uint32_t before)
     {
         std::size_t slot = slotOf(x, y);
         while (slots_[slot] != 0)
@@ -42,10 +57,10 @@ public:
             {
                 // what is shorter by rounding alone would be expanded again for nothing
                 if (length >= known.length * (1.0 - rounding))
-                    return 0;
+                    return {slots_[slot], false};
                 known.length = length;
                 known.before = before;
-                return slots_[slot];
+                return {slots_[slot], true};
             }
             slot = (slot + 1) & (slots_.size() - 1);
         }
@@ -54,7 +69,7 @@ public:
         slots_[slot] = number;
         if (2 * roots_.size() > slots_.size())
             grow();
-        return number;
+        return {number, true};
     }
 
 private:
