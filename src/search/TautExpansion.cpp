@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+// The nodes of a TautSearch: how they come into the queue, and what becomes of them.
+
 namespace seahex
 {
 namespace
@@ -35,14 +37,11 @@ void TautSearch::Expansion::begin(const Point &start, const Point &goal, double 
     roots_.begin(0.0, 0.0);
     if (!isFree(occupancy_, start, start) || !isFree(occupancy_, goal, goal))
         return;
-    const auto cellOf = [this](const Point &p, Whole &row, Whole &x)
-    {
-        const OffsetCoord cell = toOffset(occupancy_.lattice().cellAt(p));
-        row = cell.row;
-        x = HexStrips::centre(cell);
-    };
-    cellOf(start, startRow_, startX_);
-    cellOf(goal, goalRow_, goalX_);
+    const OffsetCoord startCell = toOffset(occupancy_.lattice().cellAt(start));
+    const OffsetCoord goalCell = toOffset(occupancy_.lattice().cellAt(goal));
+    startX_ = HexStrips::centre(startCell);
+    goalRow_ = goalCell.row;
+    goalX_ = HexStrips::centre(goalCell);
     start_ = strips_.fromPlane(start);
     goal_ = strips_.fromPlane(goal);
     start_.y = ontoLine(start_.y);
@@ -85,7 +84,7 @@ void TautSearch::Expansion::step()
         case TautNode::Kind::Southward:
         case TautNode::Kind::Northward:
             if (!isDominated(node))
-            expandInterval(node);
+                expandInterval(node);
             break;
         case TautNode::Kind::Corner:
             if (node.west <= roots_[node.root].length)
@@ -104,134 +103,15 @@ void TautSearch::Expansion::expandInterval(const TautNode &node)
     const int way = node.kind() == TautNode::Kind::Southward ? 1 : -1;
     const TautRoots::Root &root = roots_[node.root];
     const double depth = std::abs(HexStrips::entryLine(node.row(), way) - root.y);
-    crossRow(
-        {node.root, {root.x, root.y}, node.west, node.east, (node.west - root.x) / depth, (node.east - root.x) / depth, node.westCorner, node.eastCorner},
-        node.row(), way);
-}
-
-void TautSearch::Expansion::crossRow(View view, Whole row, int way)
-{
-    const double exit = HexStrips::exitLine(row, way);
-    const double depth = std::abs(exit - view.from.y);
-    const double westBefore = view.west;
-    const double eastBefore = view.east;
-    View next = view;
-    next.west = view.from.x + view.westSlope * depth;
-    next.east = view.from.x + view.eastSlope * depth;
-
-    // a blocked cell's upright wall, where it stands between the ray and what is seen
-    const Whole inWest = strips_.blockedWest(row, HexStrips::cellWestOf(row, westBefore), next.west - nearness - 1.0);
-    const Whole inEast = strips_.blockedEast(row, HexStrips::cellEastOf(row, eastBefore), next.east + nearness + 1.0);
-    const double westWall = inWest == HexStrips::none ? -infinite : static_cast<double>(inWest + 1);
-    const double eastWall = inEast == HexStrips::none ? infinite : static_cast<double>(inEast - 1);
-    if (!goalAmongTips_ && goalNorthRow_ == row && seesGoalInRow(view, westWall, eastWall, way))
-        pushGoal(view.root);
-    const bool atWestWall = next.west <= westWall + nearness;
-    const bool atEastWall = next.east >= eastWall - nearness;
-    if (atWestWall)
-    {
-        next.west = westWall;
-        next.westSlope = (westWall - view.from.x) / depth;
-    }
-    if (atEastWall)
-    {
-        next.east = eastWall;
-        next.eastSlope = (eastWall - view.from.x) / depth;
-    }
-    if (next.west > next.east + nearness)
-        return;
-    if (atWestWall)
-        next.westCorner = see(view.root, westWall, exit);
-    if (atEastWall)
-        next.eastCorner = see(view.root, eastWall, exit);
-    crossTips(next, row, way);
-}
-
-void TautSearch::Expansion::crossTips(View view, Whole row, int way)
-{
-    const Whole next = row + way;
-    const double exit = HexStrips::exitLine(row, way);
-    const double depth = std::abs(exit - view.from.y);
-    const double farDepth = depth + 1.0;
-
-    if (isGoalAmongTips(row, way))
-    {
-        const double at = view.from.x + (goal_.x - view.from.x) * depth / std::abs(goal_.y - view.from.y);
-        if (at >= view.west - nearness && at <= view.east + nearness && reachesGoalAmongTips(at, row, way))
-            pushGoal(view.root);
-        if (goalRow_ == row)
-            for (const double tip : {static_cast<double>(goalX_ - 1), static_cast<double>(goalX_ + 1)})
-                if (tip >= view.west - nearness && tip <= view.east + nearness)
-                    see(view.root, tip, exit);
-    }
-
-    // Tips of blocked cells of the next row stand on the exit line and part what is seen there. Only those that a
-    // shallow ray passes can turn a taut path, and of a run of blocked cells only the last.
-    const Whole firstTip = HexStrips::firstCentreFrom(next, view.west - nearness);
-    const Whole lastTip = HexStrips::lastCentreTo(next, view.east + nearness);
-
-    // the first part begins with the western ray, unless what lies west cuts it off
-    double west = view.from.x + view.westSlope * farDepth;
-    bool cornerWest = false;
-    const std::uint32_t lastCorner = view.eastCorner;
-    {
-        const Whole tip = strips_.blockedWest(next, firstTip - 2, west - nearness - 1.0);
-        const Whole wall = strips_.blockedWest(row, HexStrips::cellWestOf(row, view.west), west - nearness);
-        const double end = std::max(tip == HexStrips::none ? -infinite : static_cast<double>(tip + 1),
-                                    wall == HexStrips::none ? -infinite : static_cast<double>(wall));
-        if (west <= end + nearness)
-        {
-            west = end;
-            cornerWest = true;
-        }
-    }
-    Whole blocked = strips_.blockedEast(next, firstTip, static_cast<double>(lastTip));
-    while (blocked != HexStrips::none)
-    {
-        const double tip = static_cast<double>(blocked);
-        const double slope = (tip - view.from.x) / depth;
-        view.eastCorner = slope <= -1.0 + nearness ? see(view.root, tip, exit) : 0;
-        const bool cornerEast = slope >= -1.0 - nearness;
-        pushPart(view, next, way, west, cornerWest, cornerEast ? tip - 1.0 : tip + slope, cornerEast);
-
-        const Whole free = strips_.freeEast(next, blocked, static_cast<double>(lastTip + 2));
-        if (free == HexStrips::none)
-            return;  // what is left is a pocket
-        const double last = static_cast<double>(free - 2);
-        const double lastSlope = (last - view.from.x) / depth;
-        view.westCorner = lastSlope >= 1.0 - nearness ? see(view.root, last, exit) : 0;
-        cornerWest = lastSlope <= 1.0 + nearness;
-        west = cornerWest ? last + 1.0 : last + lastSlope;
-        blocked = strips_.blockedEast(next, free, static_cast<double>(lastTip));
-    }
-    double east = view.from.x + view.eastSlope * farDepth;
-    bool cornerEast = false;
-    {
-        const Whole tip = strips_.blockedEast(next, lastTip + 2, east + nearness + 1.0);
-        const Whole wall = strips_.blockedEast(row, HexStrips::cellEastOf(row, view.east), east + nearness);
-        const double end = std::min(tip == HexStrips::none ? infinite : static_cast<double>(tip - 1),
-                                    wall == HexStrips::none ? infinite : static_cast<double>(wall));
-        if (east >= end - nearness)
-        {
-            east = end;
-            cornerEast = true;
-        }
-    }
-    view.eastCorner = lastCorner;
-    pushPart(view, next, way, west, cornerWest, east, cornerEast);
-}
-
-void TautSearch::Expansion::pushPart(View view, Whole row, int way, double west, bool cornerWest, double east,
-                                     bool cornerEast)
-{
-    if (west > east + nearness)
-        return;
-    const double line = HexStrips::entryLine(row, way);
-    if (cornerWest)
-        view.westCorner = see(view.root, west, line);
-    if (cornerEast)
-        view.eastCorner = see(view.root, east, line);
-    pushInterval(view, row, way, west, east);
+    crossRow({node.root,
+              {root.x, root.y},
+              node.west,
+              node.east,
+              (node.west - root.x) / depth,
+              (node.east - root.x) / depth,
+              node.westCorner,
+              node.eastCorner},
+             node.row(), way);
 }
 
 void TautSearch::Expansion::expandStart()
@@ -256,47 +136,6 @@ void TautSearch::Expansion::expandStart()
         crossRow(all, third, 1);
         crossRow(all, third, -1);
     }
-}
-
-void TautSearch::Expansion::lookAmongTips(Whole north, bool northward, bool southward)
-{
-    const Whole south = north + 1;
-    const double northLine = static_cast<double>(3 * south);
-    const double southLine = northLine + 1.0;
-    // the triangle of the start's cell; on a line it may belong to another row's cell, which is free as well
-    const Whole at = startX_;
-    const auto latest = [](Whole a, Whole b)
-    {
-        return std::max(a, b);
-    };
-    const Whole westNorth =
-        strips_.blockedWest(north, HexStrips::lastCentreTo(north, static_cast<double>(at)), -infinite);
-    const Whole westSouth =
-        strips_.blockedWest(south, HexStrips::lastCentreTo(south, static_cast<double>(at)), -infinite);
-    const Whole eastNorth =
-        strips_.blockedEast(north, HexStrips::firstCentreFrom(north, static_cast<double>(at)), infinite);
-    const Whole eastSouth =
-        strips_.blockedEast(south, HexStrips::firstCentreFrom(south, static_cast<double>(at)), infinite);
-    const double west = static_cast<double>(latest(westNorth, westSouth));
-    const double east = static_cast<double>(std::min(eastNorth, eastSouth));
-    const bool westIsNorth = westNorth > westSouth;
-    const bool eastIsNorth = eastNorth < eastSouth;
-    const View view = {0, start_, 0.0, 0.0, 0.0, 0.0};
-    const double northWest = west + (westIsNorth ? 1.0 : 0.0);
-    const double northEast = east - (eastIsNorth ? 1.0 : 0.0);
-    const double southWest = west + (westIsNorth ? 0.0 : 1.0);
-    const double southEast = east - (eastIsNorth ? 0.0 : 1.0);
-    see(0, northWest, northLine);
-    see(0, northEast, northLine);
-    see(0, southWest, southLine);
-    see(0, southEast, southLine);
-    if (goalAmongTips_ && goalNorthRow_ == north && static_cast<double>(goalX_) > west &&
-        static_cast<double>(goalX_) < east)
-        pushGoal(0);
-    if (northward)
-        pushInterval(view, north, -1, northWest, northEast);
-    if (southward)
-        pushInterval(view, south, 1, southWest, southEast);
 }
 
 void TautSearch::Expansion::expandCorner(std::uint32_t number)
@@ -384,34 +223,6 @@ void TautSearch::Expansion::expandTip(std::uint32_t number, const TautTurn &turn
         pushInterval(view, next, -way, end, root.x - 1.0);
 }
 
-bool TautSearch::Expansion::seesGoalInRow(const View &view, double westWall, double eastWall, int way) const
-{
-    const double depth = (goal_.y - view.from.y) * way;
-    if (depth < 0.0 || goal_.x < westWall - nearness || goal_.x > eastWall + nearness)
-        return false;
-    if (depth == 0.0)  // level with a root on the entry line or inside the row
-        return goal_.x < view.from.x ? view.westSlope == -infinite : view.eastSlope == infinite;
-    return goal_.x >= view.from.x + view.westSlope * depth - nearness &&
-           goal_.x <= view.from.x + view.eastSlope * depth + nearness;
-}
-
-bool TautSearch::Expansion::isGoalAmongTips(Whole row, int way) const
-{
-    return goalAmongTips_ && goalNorthRow_ == std::min(row, row + way);
-}
-
-bool TautSearch::Expansion::reachesGoalAmongTips(double fromX, Whole row, int way) const
-{
-    const Whole first =
-        goal_.x >= fromX ? HexStrips::cellEastOf(row, fromX + nearness) : HexStrips::cellWestOf(row, fromX - nearness);
-    const double west = static_cast<double>(std::min(first, goalX_));
-    const double east = static_cast<double>(std::max(first, goalX_));
-    for (const Whole either : {row, row + way})
-        if (strips_.blockedEast(either, HexStrips::firstCentreFrom(either, west), east) != HexStrips::none)
-            return false;
-    return true;
-}
-
 void TautSearch::Expansion::pushInterval(const View &view, Whole row, int way, double west, double east)
 {
     if (east - west <= nearness)
@@ -427,7 +238,8 @@ void TautSearch::Expansion::pushInterval(const View &view, Whole row, int way, d
     const double estimate = roots_[view.root].length + rest;
     if (estimate < bound_)
         queue_.push({estimate, west, east, view.root,
-                     TautNode::pack(row, way > 0 ? TautNode::Kind::Southward : TautNode::Kind::Northward), view.westCorner, view.eastCorner});
+                     TautNode::pack(row, way > 0 ? TautNode::Kind::Southward : TautNode::Kind::Northward),
+                     view.westCorner, view.eastCorner});
 }
 
 void TautSearch::Expansion::pushGoal(std::uint32_t number)
@@ -461,6 +273,7 @@ bool TautSearch::Expansion::isDominated(const TautNode &node) const
     const int way = node.kind() == TautNode::Kind::Southward ? 1 : -1;
     const double line = HexStrips::entryLine(node.row(), way);
     const TautRoots::Root &root = roots_[node.root];
+    // by more than rounding, or two ways of one length could drop each other
     const auto reaches = [&](std::uint32_t number, double x)
     {
         const TautRoots::Root &corner = roots_[number];

@@ -53,6 +53,15 @@ private:
         std::uint32_t eastCorner = 0;
     };
 
+    /// A part of what a view keeps on a line, and whether a corner of a blocked cell ends it or the view's own ray.
+    struct Part
+    {
+        double west;
+        double east;
+        bool endsWest;
+        bool endsEast;
+    };
+
     void expandStart();
     void expandCorner(std::uint32_t root);
     void expandTip(std::uint32_t root, const TautTurn &turn, double dx, double dy);
@@ -67,20 +76,33 @@ private:
     /// All that is seen from a start among the tips of two rows, the northern one given, on the lines asked for.
     void lookAmongTips(Whole north, bool northward, bool southward);
 
-    /// Queues the interval of a view on the entry line of a row, and the corners that end it.
-    void pushPart(View view, Whole row, int way, double west, bool cornerWest, double east, bool cornerEast);
-    /// Queues the interval of a view on the entry line of a row.
-    void pushInterval(const View &view, Whole row, int way, double west, double east);
-    void pushGoal(std::uint32_t root);
-    /// Queues a corner that a root sees if a taut path can turn there.
-    /// @return its number if any way to it is known, else 0
-    std::uint32_t see(std::uint32_t root, double x, double y);
-    bool isDominated(const TautNode &node) const;
+    /// Where what lies west of a place on the exit line cuts off, on the entry line of the next row, what is seen
+    /// through the tips between: at the shoulder of a blocked cell of the next row, or the tip of one of this row.
+    /// @param tip  the first cell of the next row west of the place
+    /// @param ray  look no farther than this
+    /// @return minus infinity if nothing does
+    double westEndAmongTips(Whole row, Whole next, double place, Whole tip, double ray) const;
+    /// The same in the east; infinity if nothing does.
+    double eastEndAmongTips(Whole row, Whole next, double place, Whole tip, double ray) const;
 
     bool seesGoalInRow(const View &view, double westWall, double eastWall, int way) const;
-    /// Is there nothing but free tips between a place on the exit line and the goal?
+    /// Does the goal lie among the tips of a row and the next?
     bool isGoalAmongTips(Whole row, int way) const;
+    void lookForGoalAmongTips(const View &view, Whole row, int way);
+    /// Is there nothing but free tips between a place on a row's exit line and the goal among them?
     bool reachesGoalAmongTips(double fromX, Whole row, int way) const;
+
+    /// Queues a part of a view on the entry line of a row, and the corners that end it.
+    void pushPart(View view, Whole row, int way, const Part &part);
+    /// Queues an interval of a view on the entry line of a row.
+    void pushInterval(const View &view, Whole row, int way, double west, double east);
+    void pushGoal(std::uint32_t root);
+    /// Queues a corner that a root sees if a taut path can turn there and no way as short is known.
+    /// @return its number if any way to it is known, else 0
+    std::uint32_t see(std::uint32_t root, double x, double y);
+    /// Does a corner at an end of the interval reach all of it sooner than the root? Root, corner and interval span a
+    /// triangle that is free, and the corner's lead is least at the far end.
+    bool isDominated(const TautNode &node) const;
 
     double toGoal(double x, double y) const { return stripNorm(goal_.x - x, goal_.y - y); }
 
@@ -92,12 +114,11 @@ private:
     StripPoint goal_;
     Point planeStart_;
     Point planeGoal_;
-    Whole startRow_ = 0;  // of the cell
-    Whole startX_ = 0;
-    Whole goalRow_ = 0;
+    Whole startX_ = 0;   // of the cell
+    Whole goalRow_ = 0;  // of the cell
     Whole goalX_ = 0;
     bool goalAmongTips_ = false;
-    Whole goalNorthRow_ = 0;  // of the tips, or the row itself
+    Whole goalNorthRow_ = 0;  // the northern one of the two whose tips they are; else the row of the rectangle
     double bound_ = 0.0;
     double least_ = 0.0;
     double length_ = 0.0;

@@ -5,7 +5,7 @@ namespace seahex
 namespace
 {
 
-/// Directions that differ by less are one: see TautExpansion::nearness.
+/// Components of vectors between corners are whole numbers; those from a start differ from a corner's by rounding.
 constexpr double level = 1e-9;
 
 }  // namespace

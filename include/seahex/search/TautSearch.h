@@ -32,7 +32,10 @@ namespace seahex
 /// Exact but for rounding: comparisons of places are exact for corners, as these have integer coordinates in the
 /// search's frame, and lengths are sums of doubles, 1e-13 of the length or so.
 ///
-/// Memory: 32 bytes for every waiting node and 40 for every corner that was seen; nothing a cell.
+/// What is dropped on the way: corners in which no taut path turns or beyond which there is but a pocket, and intervals
+/// all of which a corner at their end reaches sooner than their root.
+///
+/// Memory: 40 bytes for every waiting node and as much for every corner that was seen; nothing a cell.
 class TautSearch
 {
 public:
