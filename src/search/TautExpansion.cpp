@@ -116,26 +116,12 @@ void TautSearch::Expansion::expandInterval(const TautNode &node)
 
 void TautSearch::Expansion::expandStart()
 {
-    const View all = {0, start_, start_.x, start_.x, -infinite, infinite};
     const Whole third = HexStrips::floor(start_.y / 3.0);
-    const double base = static_cast<double>(3 * third);
-    if (start_.y == base)
-    {
-        crossRow(all, third - 1, -1);
-        lookAmongTips(third - 1, false, true);
-    }
-    else if (start_.y < base + 1.0)
-        lookAmongTips(third - 1, true, true);
-    else if (start_.y == base + 1.0)
-    {
-        crossRow(all, third, 1);
-        lookAmongTips(third - 1, true, false);
-    }
-    else
-    {
-        crossRow(all, third, 1);
-        crossRow(all, third, -1);
-    }
+    if (start_.y <= static_cast<double>(3 * third + 1))
+        return lookAmongTips(third - 1);
+    const View all = {0, start_, start_.x, start_.x, -infinite, infinite};
+    crossRow(all, third, 1);
+    crossRow(all, third, -1);
 }
 
 void TautSearch::Expansion::expandCorner(std::uint32_t number)
@@ -201,7 +187,7 @@ void TautSearch::Expansion::expandTip(std::uint32_t number, const TautTurn &turn
                                : strips_.blockedWest(next, turn.x - 2, reach - nearness - 1.0);
     const Whole wall = side > 0 ? strips_.blockedEast(row, turn.x + 1, reach + nearness)
                                 : strips_.blockedWest(row, turn.x - 1, reach - nearness);
-    const bool endsAtTip = tip != HexStrips::none && (wall == HexStrips::none || side * (wall - tip + side) > 0);
+    const bool endsAtTip = tip != HexStrips::none && (wall == HexStrips::none || side * (wall - tip) > 0);
     if (seesLevel && endsAtTip)
         see(number, static_cast<double>(tip), root.y);
     see(number, root.x + side, line);

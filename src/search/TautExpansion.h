@@ -73,8 +73,9 @@ private:
     /// From the exit line of a row to the entry line of the next.
     /// @param view  its interval on the exit line
     void crossTips(View view, Whole row, int way);
-    /// All that is seen from a start among the tips of two rows, the northern one given, on the lines asked for.
-    void lookAmongTips(Whole north, bool northward, bool southward);
+    /// All that is seen from a start among the tips of two rows, the northern one given. On a line between strips too:
+    /// from there all of the next row is seen, as rays through an interval of the same line are level.
+    void lookAmongTips(Whole north);
 
     /// Where what lies west of a place on the exit line cuts off, on the entry line of the next row, what is seen
     /// through the tips between: at the shoulder of a blocked cell of the next row, or the tip of one of this row.

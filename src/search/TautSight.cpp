@@ -137,7 +137,7 @@ void TautSearch::Expansion::pushPart(View view, Whole row, int way, const Part &
     pushInterval(view, row, way, part.west, part.east);
 }
 
-void TautSearch::Expansion::lookAmongTips(Whole north, bool northward, bool southward)
+void TautSearch::Expansion::lookAmongTips(Whole north)
 {
     // The start's cell has one of the triangles; on a line the cell may be another's, whose triangle is free as well.
     const Whole south = north + 1;
@@ -151,7 +151,7 @@ void TautSearch::Expansion::lookAmongTips(Whole north, bool northward, bool sout
 
     // a triangle of the northern row has its base on the northern line, and its tip on the southern one
     const View view = {0, start_, 0.0, 0.0, 0.0, 0.0};
-    const auto look = [&](Whole row, int way, bool goesOn)
+    const auto look = [&](Whole row, int way)
     {
         const bool baseWest = west == (row == north ? westNorth : westSouth);
         const bool baseEast = east == (row == north ? eastNorth : eastSouth);
@@ -160,11 +160,10 @@ void TautSearch::Expansion::lookAmongTips(Whole north, bool northward, bool sout
         const double last = static_cast<double>(east - (baseEast ? 1 : 0));
         see(0, first, line);
         see(0, last, line);
-        if (goesOn)
-            pushInterval(view, row, way, first, last);
+        pushInterval(view, row, way, first, last);
     };
-    look(north, -1, northward);
-    look(south, 1, southward);
+    look(north, -1);
+    look(south, 1);
     if (goalAmongTips_ && goalNorthRow_ == north && west < goalX_ && goalX_ < east)
         pushGoal(0);
 }

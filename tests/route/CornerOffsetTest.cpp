@@ -69,6 +69,34 @@ TEST(CornerOffset, BendsAtCornersThatAreGrazedOnBothSides)
     EXPECT_NEAR(route->length(), (top - bottom).norm(), 1e-10);
 }
 
+TEST(CornerOffset, BendsAtCornersThatOnlyAMovedLegTouches)
+{
+    // The route touches the eastern cell's lower shoulder and passes the western cell's upper one at a fifth of a
+    // millionth; moved off the first, it meets the second.
+    const AsciiWorld world(R"(
+         . . . . .
+        . . # . .
+         . . . . .
+        . # . . .
+         . . . . .
+    )");
+    const Point shoulder = world.lattice().corners(toCube({2, 1}))[2];
+    const Point passed = world.lattice().corners(toCube({1, 3}))[5];
+    ASSERT_NEAR(shoulder.x(), passed.x(), 1e-12);
+    const Point down(2e-7 / (shoulder.y() - passed.y()), -1.0);
+    const Point top = shoulder - 1.2 * down;
+    const Point bottom = shoulder + 2.5 * down;
+    ASSERT_FALSE(isFree(world.occupancy(), top, bottom));
+    ASSERT_TRUE(isFree(world.occupancy(), shoulder + 0.1 * down, bottom));
+    for (const Route &taut : {Route({top, bottom}), Route({bottom, top})})
+    {
+        const auto route = offsetFromCorners(taut, world.occupancy());
+        ASSERT_TRUE(route);
+        EXPECT_GE(route->waypoints().size(), 4U);
+        expectFree(*route, world.occupancy());
+    }
+}
+
 TEST(CornerOffset, LeavesAFreeRouteAlone)
 {
     const AsciiWorld world(R"(
