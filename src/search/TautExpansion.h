@@ -69,7 +69,7 @@ private:
 
     /// From the entry line of a row, or from a root inside it, to the row's exit line and beyond.
     /// @param view  its interval on the entry line, or at the root
-    void crossRow(View view, Whole row, int way);
+    void crossRow(const View &view, Whole row, int way);
     /// From the exit line of a row to the entry line of the next.
     /// @param view  its interval on the exit line
     void crossTips(View view, Whole row, int way);

@@ -15,19 +15,17 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-void TautSearch::Expansion::crossRow(View view, Whole row, int way)
+void TautSearch::Expansion::crossRow(const View &view, Whole row, int way)
 {
     const double exit = HexStrips::exitLine(row, way);
     const double depth = std::abs(exit - view.from.y);
-    const double westBefore = view.west;
-    const double eastBefore = view.east;
     View next = view;
     next.west = view.from.x + view.westSlope * depth;
     next.east = view.from.x + view.eastSlope * depth;
 
     // a blocked cell's upright wall, where it stands between the ray and what is seen
-    const Whole inWest = strips_.blockedWest(row, HexStrips::cellWestOf(row, westBefore), next.west - nearness - 1.0);
-    const Whole inEast = strips_.blockedEast(row, HexStrips::cellEastOf(row, eastBefore), next.east + nearness + 1.0);
+    const Whole inWest = strips_.blockedWest(row, HexStrips::cellWestOf(row, view.west), next.west - nearness - 1.0);
+    const Whole inEast = strips_.blockedEast(row, HexStrips::cellEastOf(row, view.east), next.east + nearness + 1.0);
     const double westWall = inWest == HexStrips::none ? -infinite : static_cast<double>(inWest + 1);
     const double eastWall = inEast == HexStrips::none ? infinite : static_cast<double>(inEast - 1);
     if (!goalAmongTips_ && goalNorthRow_ == row && seesGoalInRow(view, westWall, eastWall, way))
