@@ -12,6 +12,8 @@
 #include <seahex/planning/RouteFromPath.h>
 #include <seahex/planning/Setup.h>
 #include <seahex/route/RouteSmoother.h>
+#include <seahex/route/StringPulling.h>
+#include <seahex/search/TautSearch.h>
 
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/util/Console.h>
@@ -125,6 +127,52 @@ MeasuredRoute measure(const Options &options, const Result &result, const seahex
     return measured;
 }
 
+/// The shortest route of the plane, if it is found before the time is over; empty if not, or if the given one is as
+/// short. Tells whether it is proven then that no route is shorter.
+seahex::Route shortest(const Options &options, const seahex::HexOccupancy &occupancy, const seahex::Route &known,
+                       bool &isProven)
+{
+    constexpr std::uint64_t pollInterval = 1000;
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::duration<double>(std::min(options.timeS, longestS));
+    const double length = seahex::lengthOf(known.waypoints());
+    seahex::TautSearch search(occupancy);
+    search.begin(known.waypoints().front(), known.waypoints().back(), length);
+    if (search.run([end] { return std::chrono::steady_clock::now() >= end; }, pollInterval) ==
+        seahex::SearchStatus::Stopped)
+        return {};
+    seahex::Route route = search.route();
+    isProven = search.isOptimal(route.waypoints().empty() ? length : seahex::lengthOf(route.waypoints()));
+    return route;
+}
+
+/// The path pulled taut, or the shortest route of all; the path itself where neither is better as written.
+void smooth(const Options &options, const seahex::WrittenRouteCheck &check, Result &result)
+{
+    const seahex::HexOccupancy &occupancy = *result.arena->occupancy();
+    const seahex::Route pulled = seahex::pullString(result.raw.plane, occupancy);
+    std::vector<seahex::Route> candidates;
+    bool isProven = false;
+    if (options.exact)
+        if (seahex::Route route = shortest(options, occupancy, pulled, isProven); !route.waypoints().empty())
+            candidates.push_back(std::move(route));
+    candidates.push_back(pulled);
+    for (std::size_t i = 0; i < candidates.size() && !result.smoothed; ++i)
+    {
+        MeasuredRoute smoothed = measure(options, result, check, candidates[i], seahex::CountedLegs::All);
+        // Shorter in the plane may be longer on the ellipsoid where the gain is tiny; a written leg may come nearer to
+        // a hazard than the line it was made from. Either way the path itself is the better route.
+        constexpr double rounding = 1e-7;  // of written positions, as a share of the length
+        if (smoothed.metrics.lengthM > result.raw.metrics.lengthM * (1.0 + rounding) ||
+            check.firstFault(smoothed.written.waypoints))
+            continue;
+        result.isProvenShortest = isProven && i == 0;
+        result.smoothed = std::move(smoothed);
+    }
+    if (!result.smoothed)
+        result.smoothed = measure(options, result, check, result.raw.plane, seahex::CountedLegs::All);
+}
+
 void planOnChart(const Options &options, demos::Progress &progress, Result &result)
 {
     progress.stage("filling cells");
@@ -143,17 +191,7 @@ void planOnChart(const Options &options, demos::Progress &progress, Result &resu
         throw Failure(Exit::NoRoute, "leg " + std::to_string(fault->leg + 1) + " of the path as written " +
                                          fault->what + "; no route is given");
     if (options.smoothing)
-    {
-        const seahex::Route pulled = seahex::pullString(path, *result.arena->occupancy());
-        MeasuredRoute smoothed = measure(options, result, check, pulled, seahex::CountedLegs::All);
-        // Shorter in the plane may be longer on the ellipsoid where the gain is tiny; a written leg may come nearer to
-        // a hazard than the line it was made from. Either way the path itself is the better route.
-        constexpr double rounding = 1e-7;  // of written positions, as a share of the length
-        if (smoothed.metrics.lengthM > result.raw.metrics.lengthM * (1.0 + rounding) ||
-            check.firstFault(smoothed.written.waypoints))
-            smoothed = measure(options, result, check, path, seahex::CountedLegs::All);
-        result.smoothed = std::move(smoothed);
-    }
+        smooth(options, check, result);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct Result
     std::optional<MeasuredRoute> smoothed;
     std::uint64_t expanded = 0;  ///< cells; 0 for planners that have none
     double searchMs = 0.0;
+    bool isProvenShortest = false;         ///< no route in the plane of the cells is shorter than the smoothed one
     bool isImprovable = false;             ///< the time was over before the search was; HexAStar only
     std::vector<seahex::CellIndex> trace;  ///< expanded cells in order, if a picture is wanted
 

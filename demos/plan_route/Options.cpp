@@ -39,6 +39,7 @@ struct Texts
     std::string metric;
     std::string scenario;
     bool noSmoothing = false;
+    bool pulled = false;
 };
 
 void declare(CLI::App &app, Options &o, Texts &t)
@@ -67,6 +68,8 @@ void declare(CLI::App &app, Options &o, Texts &t)
         ->type_name("S");
     app.add_option("--seed", o.seed, "seed of sampling planners")->capture_default_str()->type_name("N");
     app.add_flag("--no-smoothing", t.noSmoothing, "leave the planner's path as it is");
+    app.add_flag("--pulled", t.pulled,
+                 "pull HexAStar's path taut and leave it at that; without it the route is the shortest of all, proven");
     app.add_option("--out", o.out, "write the route as GeoJSON")->type_name("FILE");
     app.add_flag("--blocked-cells", o.blockedCells, "put the blocked cells into that file too (large)");
     app.add_option("--picture", o.picture, "draw chart, cells and route")->type_name("FILE.svg|FILE.png");
@@ -176,6 +179,8 @@ void resolve(const CLI::App &app, Options &o, Texts &t)
     if (metric != "euclidean" && metric != "lattice")
         usage("--metric must be euclidean or lattice, not '" + metric + "'");
     o.metric = metric == "lattice" ? seahex::LengthMetric::Lattice : seahex::LengthMetric::Euclidean;
+    // of others their own path is wanted, and published figures are those of paths pulled taut
+    o.exact = !t.pulled && o.planner == "HexAStar" && o.metric == seahex::LengthMetric::Euclidean && !o.chengScenario;
     checkNumbers(o);
     checkFiles(o);
 }

@@ -25,6 +25,7 @@ struct Options : demos::ChartOptions
     double timeS = 10.0;
     std::uint32_t seed = 1;
     bool smoothing = true;
+    bool exact = true;  ///< smoothed to the shortest route of all, not only pulled taut
     std::string out;
     bool blockedCells = false;
     std::string picture;

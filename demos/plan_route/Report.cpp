@@ -151,6 +151,7 @@ std::string jsonReport(const Options &options, const Result &result)
                          {"smoothed", result.smoothed ? routeJson(*result.smoothed) : Json(nullptr)},
                          {"expanded", result.expanded},
                          {"search_ms", number(result.searchMs)},
+                         {"proven_shortest", result.isProvenShortest},
                          {"improvable", result.isImprovable},
                          {"chart", chartJson(*result.chart)},
                          {"lattice",
@@ -193,6 +194,8 @@ std::string textReport(const Options &options, const Result &result)
         out << format("          %.0f steps between cells\n", result.raw.metrics.lengthLattice);
     if (result.smoothed)
         describeRoute(out, "route", *result.smoothed);
+    if (result.isProvenShortest)
+        out << "          proven: no route around these cells is shorter, but for some millionths\n";
     if (result.best().crosses.empty())
         out << "crosses   no bridge, overhead cable, regulated area or other object of caution\n";
     for (const seahex::HazardObject *object : result.best().crosses)

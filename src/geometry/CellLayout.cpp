@@ -8,7 +8,7 @@ namespace seahex
 {
 
 CellLayout::CellLayout(std::int64_t columns, std::int64_t rows)
-    : columns_(columns), rows_(rows), stride_((columns + 2 * frame + 8 + 63) / 64 * 64)
+    : columns_(columns), rows_(rows), stride_((columns + 2 * frame + spare + 63) / 64 * 64)
 {
     // one index is kept back for "no cell"
     if (columns <= 0 || rows <= 0 || stride_ > std::numeric_limits<CellIndex>::max() / (rows + 2 * frame))

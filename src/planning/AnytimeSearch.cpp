@@ -31,18 +31,23 @@ void AnytimeSearch::planSteps()
             steps_.push_back(Step::Shorten);
     };
     steps_.clear();
-    levelsLeft_ = takesLargeCells() ? ground_.searches->levels() : 0;
+    const bool isExact = settings_.exact && isPlainLength();
+    levelsLeft_ = settings_.anytime && isPlainLength() ? ground_.searches->levels() : 0;
     for (std::size_t level = 0; level < levelsLeft_; ++level)
         add(Step::SearchLarge);
-    if (settings_.anytime && settings_.jumps.rings > 1 && levelsLeft_ == 0)
+    if (isExact)
+        steps_.push_back(Step::ProveEarly);
+    if (settings_.anytime && settings_.jumps.rings > 1)
         add(Step::SearchFirst);
     add(Step::SearchAll);
+    if (isExact)
+        steps_.push_back(Step::Prove);
 }
 
-/// Paths through large cells are for the plane, and rough: something has to be left of the lattice's path to pull taut.
-bool AnytimeSearch::takesLargeCells()
+/// Is it about the straight lengths of the plane, for which there are better ways than the lattice's?
+bool AnytimeSearch::isPlainLength()
 {
-    return settings_.anytime && settings_.smoothing && ground_.searches && suitsLengthSearch(question()) &&
+    return settings_.smoothing && ground_.searches && suitsLengthSearch(question()) &&
            PlanarEmbedding(ground_.si->getStateSpace().get()).lattice() == nullptr;
 }
 
@@ -51,6 +56,7 @@ void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<con
     starts_ = std::move(starts);
     goals_ = std::move(goals);
     comparedPairs_ = 0;
+    isProven_ = false;
     planSteps();
     step_ = 0;
     isInStep_ = false;
@@ -63,7 +69,7 @@ void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
 {
     if (!compareDirectly(stop))
         return;
-    while (step_ < steps_.size() && !(best_ && ground_.objective->isSatisfied(bestCost_)))
+    while (step_ < steps_.size() && !isProven_ && !(best_ && ground_.objective->isSatisfied(bestCost_)))
     {
         if (!take(steps_[step_], stop))
             return;
@@ -74,7 +80,7 @@ void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
 
 PlanningOutcome AnytimeSearch::outcome() const
 {
-    const bool isDone = step_ >= steps_.size();
+    const bool isDone = step_ >= steps_.size() || isProven_;
     if (best_)
         return isDone ? PlanningOutcome::Found : PlanningOutcome::Improvable;
     if (!isDone)
@@ -130,6 +136,10 @@ bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
             return search(settings_.jumps.rings, stop);
         case Step::Shorten:
             return shorten(stop);
+        case Step::ProveEarly:
+            return !best_ || prove(stop);
+        case Step::Prove:
+            return prove(stop);
     }
     return true;
 }
@@ -153,18 +163,56 @@ bool AnytimeSearch::searchLarge(const ob::PlannerTerminationCondition &stop)
         if (corners.empty())
             continue;
         levelsLeft_ -= std::min<std::size_t>(levelsLeft_, 1);
-        auto path = std::make_shared<Path>(ground_.si, starts_.front());
-        ob::ScopedState<> state(ground_.si);
+        std::vector<Point> points;
         for (const HexCoord corner : corners)
-        {
-            embedding.place(state.get(), lattice.centre(corner));
-            path->append(state.get());
-        }
-        path->append(goals_.front());
-        latticePath_ = path;
-        offer(path);
+            points.push_back(lattice.centre(corner));
+        points.insert(points.begin(), embedding.position(starts_.front()));
+        points.push_back(embedding.position(goals_.front()));
+        latticePath_ = pathThrough(points);
+        offer(latticePath_);
     }
     return true;
+}
+
+bool AnytimeSearch::prove(const ob::PlannerTerminationCondition &stop)
+{
+    constexpr std::uint64_t pollInterval = 256;
+    TautSearch &taut = ground_.searches->taut();
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    const double unit = embedding.lengthWeight();
+    if (!isInStep_)
+    {
+        const double bound = best_ ? bestCost_.value() / unit : TautSearch::unbounded;
+        taut.begin(embedding.position(starts_.front()), embedding.position(goals_.front()), bound);
+    }
+    isInStep_ = true;
+    const auto isOver = [&]
+    {
+        board_.raiseLowerBound(taut.lowerBound() * unit);
+        return stop();
+    };
+    if (taut.run(isOver, pollInterval) == SearchStatus::Stopped)
+        return false;
+    if (const Route route = taut.route(); !route.waypoints().empty())
+        offer(pathThrough(route.waypoints()));
+    board_.raiseLowerBound(taut.lowerBound() * unit);
+    isProven_ = best_ && taut.isOptimal(bestCost_.value() / unit);
+    return true;
+}
+
+/// States at these points, the first and last those of the start and the goal.
+std::shared_ptr<AnytimeSearch::Path> AnytimeSearch::pathThrough(const std::vector<Point> &points) const
+{
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    auto path = std::make_shared<Path>(ground_.si, starts_.front());
+    ob::ScopedState<> state(ground_.si);
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    {
+        embedding.place(state.get(), points[i]);
+        path->append(state.get());
+    }
+    path->append(goals_.front());
+    return path;
 }
 
 bool AnytimeSearch::search(int rings, const ob::PlannerTerminationCondition &stop)

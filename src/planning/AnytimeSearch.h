@@ -18,6 +18,7 @@ struct SearchSettings
     Guidance guidance;
     bool anytime;
     bool smoothing;
+    bool exact;
     bool direct;
     bool tracing;
 };
@@ -55,6 +56,9 @@ public:
 
     PlanningOutcome outcome() const;
 
+    /// Was the best path found to be the shortest of the plane?
+    bool isProven() const { return isProven_; }
+
     /// nullptr if there is none.
     const std::shared_ptr<Path> &best() const { return best_; }
     ompl::base::Cost bestCost() const { return bestCost_; }
@@ -72,18 +76,22 @@ private:
         SearchLarge,  // in large cells
         SearchFirst,  // with one ring
         SearchAll,    // with all
-        Shorten
+        Shorten,
+        ProveEarly,  // where there is a path to improve on
+        Prove        // find the true shortest path
     };
 
     bool compareDirectly(const ompl::base::PlannerTerminationCondition &stop);
     bool take(Step step, const ompl::base::PlannerTerminationCondition &stop);
     bool searchLarge(const ompl::base::PlannerTerminationCondition &stop);
+    bool prove(const ompl::base::PlannerTerminationCondition &stop);
     bool search(int rings, const ompl::base::PlannerTerminationCondition &stop);
     bool shorten(const ompl::base::PlannerTerminationCondition &stop);
     LatticeQuestion question();
-    bool takesLargeCells();
+    bool isPlainLength();
     void planSteps();
     void makeQuery();
+    std::shared_ptr<Path> pathThrough(const std::vector<Point> &points) const;
     void offer(const std::shared_ptr<Path> &path);
     ompl::base::Cost leastCost() const;
 
@@ -98,6 +106,7 @@ private:
     std::vector<Step> steps_;
     std::size_t step_ = 0;  // the one that is next, or was interrupted
     bool isInStep_ = false;
+    bool isProven_ = false;
     std::size_t levelsLeft_ = 0;  // of large cells, the largest first
     std::unique_ptr<LatticeQuery> query_;
     std::vector<CellIndex> trace_;

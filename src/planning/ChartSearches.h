@@ -2,9 +2,11 @@
 
 #include "seahex/search/CoarseSearch.h"
 #include "seahex/search/LengthSearch.h"
+#include "seahex/search/TautSearch.h"
 #include "seahex/world/CoarseOccupancy.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace seahex
@@ -16,25 +18,28 @@ class ChartSearches
 {
 public:
     /// Makes the large cells, which takes some milliseconds for a million cells.
-    explicit ChartSearches(std::shared_ptr<const Occupancy> occupancy)
-        : occupancy_(std::move(occupancy)), coarse_(coarseOccupancies(*occupancy_)), cells_(*occupancy_, 3)
+    explicit ChartSearches(std::shared_ptr<const HexOccupancy> occupancy)
+        : occupancy_(std::move(occupancy)), coarse_(coarseOccupancies(*occupancy_)), cells_(*occupancy_, 3),
+          taut_(*occupancy_)
     {
         for (const auto &level : coarse_)
             largeCells_.push_back(std::make_unique<CoarseSearch>(*occupancy_, *level));
     }
 
-    const std::shared_ptr<const Occupancy> &occupancy() const { return occupancy_; }
+    const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
 
     LengthSearch &cells() { return cells_; }
+    TautSearch &taut() { return taut_; }
 
     /// From the smallest of the large cells to the largest; each twice as wide as the one before.
     std::size_t levels() const { return largeCells_.size(); }
     CoarseSearch &largeCells(std::size_t level) { return *largeCells_[level]; }
 
 private:
-    std::shared_ptr<const Occupancy> occupancy_;
+    std::shared_ptr<const HexOccupancy> occupancy_;
     std::vector<std::shared_ptr<const CoarseOccupancy>> coarse_;
     LengthSearch cells_;
+    TautSearch taut_;
     std::vector<std::unique_ptr<CoarseSearch>> largeCells_;
 };
 

@@ -10,6 +10,7 @@ HexAStar::HexAStar(const ompl::base::SpaceInformationPtr &si) : LatticeAStar(si,
 {
     declareParam<int>("rings", this, &HexAStar::setRings, &HexAStar::getRings, "1:1:3");
     declareParam<bool>("anytime", this, &HexAStar::setAnytime, &HexAStar::getAnytime, "0,1");
+    declareParam<bool>("exact", this, &HexAStar::setExact, &HexAStar::getExact, "0,1");
     declareParam<bool>("all_jumps", this, &HexAStar::setAllJumps, &HexAStar::getAllJumps, "0,1");
 }
 
@@ -24,6 +25,12 @@ void HexAStar::setRings(int rings)
 void HexAStar::setAnytime(bool anytime)
 {
     anytime_ = anytime;
+    forgetSearch();
+}
+
+void HexAStar::setExact(bool exact)
+{
+    exact_ = exact;
     forgetSearch();
 }
 

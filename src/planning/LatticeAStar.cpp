@@ -89,6 +89,11 @@ void LatticeAStar::setSmoothing(bool smoothing)
     forgetSearch();
 }
 
+bool LatticeAStar::isProvenShortest() const
+{
+    return search_ && search_->isProven();
+}
+
 void LatticeAStar::setApproximate(bool approximate)
 {
     approximate_ = approximate;
@@ -137,10 +142,11 @@ void LatticeAStar::setup()
     const PlanarEmbedding embedding(si_->getStateSpace().get());
     chart_ = ownChart();
     occupancy_ = chart_ ? withinBounds(chart_, embedding.bounds()) : nullptr;
-    if (!occupancy_ || occupancy_->lattice().hexagons() == nullptr)
+    const auto hexagons = std::dynamic_pointer_cast<const HexOccupancy>(occupancy_);
+    if (!hexagons || !direct_ || guidance_ != Guidance::Automatic)
         searches_.reset();
-    else if (direct_ && guidance_ == Guidance::Automatic && (!searches_ || searches_->occupancy() != occupancy_))
-        searches_ = std::make_shared<ChartSearches>(occupancy_);
+    else if (!searches_ || searches_->occupancy() != hexagons)
+        searches_ = std::make_shared<ChartSearches>(hexagons);
     lattice_ = occupancy_ ? occupancy_->lattice() : layLattice(embedding, requestedCellSize_);
     if (occupancy_ && !direct_)
         requireAskable(*lattice_);
@@ -254,7 +260,8 @@ void LatticeAStar::beginSearch()
         tree_ = std::make_unique<SearchTree>(si_);
     if (!search_)
     {
-        const SearchSettings settings{jumpChoice(), guidance_, searchesTwice(), smoothing_, direct_, tracing_};
+        const SearchSettings settings{jumpChoice(), guidance_, searchesTwice(), smoothing_,
+                                      isExact(),    direct_,   tracing_};
         search_ = std::make_unique<AnytimeSearch>(
             SearchGround{si_, objective_, *lattice_, chart_, occupancy_, searches_}, settings, *board_,
             [this](const og::PathGeometric &path, ob::Cost cost) { note(path, cost); });

@@ -86,6 +86,8 @@ std::shared_ptr<const Occupancy> withinBounds(const std::shared_ptr<const Occupa
     }
     if (bits.words() == occupancy->words())
         return occupancy;
+    if (lattice.hexagons() != nullptr)
+        return std::make_shared<const HexOccupancy>(*lattice.hexagons(), occupancy->layout(), std::move(bits.words()));
     return std::make_shared<const Occupancy>(lattice, occupancy->layout(), std::move(bits.words()));
 }
 

@@ -140,8 +140,8 @@ TEST_F(HexAStarContract, ParametersAreSetAndReadByName)
 {
     HexAStar planner(si);
     auto &params = planner.params();
-    const std::set<std::string> names = {"rings",     "guidance", "anytime",   "smoothing", "approximate",
-                                         "all_jumps", "direct",   "cell_size", "jumps"};
+    const std::set<std::string> names = {"rings",       "exact",     "guidance", "anytime",   "smoothing",
+                                         "approximate", "all_jumps", "direct",   "cell_size", "jumps"};
     std::vector<std::string> declared;
     params.getParamNames(declared);
     EXPECT_EQ(std::set<std::string>(declared.begin(), declared.end()), names);

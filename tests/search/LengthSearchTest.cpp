@@ -5,6 +5,7 @@
 #include <seahex/search/LengthSearch.h>
 
 #include "support/AsciiWorld.h"
+#include "support/CellOracle.h"
 #include "support/ExplicitGraph.h"
 #include "support/HexOracle.h"
 #include "support/Random.h"

@@ -13,13 +13,15 @@ using CellIndex = std::uint32_t;
 
 /// The order in which the cells of a rectangle are stored, decided here and nowhere else.
 ///
-/// Row by row, each row padded to whole 64-bit words; around the rectangle runs a frame of `frame` cells, so that every
+/// Row by row, each row padded to whole 64-bit words by `spare` cells or more; around the rectangle runs a frame of `frame` cells, so that every
 /// cell a ring jump can reach or touch from inside has an index.
 class CellLayout
 {
 public:
     /// A jump of ring 3 reaches 3 rows and 3 columns away and touches nothing beyond.
     static constexpr std::int64_t frame = 3;
+    /// Cells behind each row, at least: whoever reads a cell's surroundings in bytes may read one too many.
+    static constexpr std::int64_t spare = 8;
 
     /// @throws std::length_error if the cells do not fit 32-bit indices
     CellLayout(std::int64_t columns, std::int64_t rows);

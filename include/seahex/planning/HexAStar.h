@@ -20,9 +20,15 @@ public:
     void setRings(int rings);
     int getRings() const { return rings_; }
 
-    /// Search with one ring before the search with more, for an early answer. On by default.
+    /// Search in large cells or with one ring before the search with more, for an early answer. On by default.
     void setAnytime(bool anytime);
     bool getAnytime() const { return anytime_; }
+
+    /// Where it can be done (LatticeAStar, Answers; smoothing must be on), go on to the shortest of all valid paths,
+    /// not only those of the lattice, and prove it: no valid path is shorter than the one found by more than two
+    /// millionths of its length and of the pitch. On by default.
+    void setExact(bool exact);
+    bool getExact() const { return exact_; }
 
     /// Try every successor of a ring, also those that repeat shorter collinear jumps (JumpSet::All). Only matters where
     /// the objective is a length and jumps are safe; all are tried elsewhere.
@@ -37,10 +43,12 @@ protected:
     Lattice layLattice(const PlanarEmbedding &embedding, double requestedCellSize) const override;
     JumpChoice jumpChoice() const override;
     bool searchesTwice() const override { return anytime_; }
+    bool isExact() const override { return exact_; }
 
 private:
     int rings_ = 3;
     bool anytime_ = true;
+    bool exact_ = true;
     bool allJumps_ = false;
 };
 

@@ -55,13 +55,17 @@ struct Improvement
 /// and the search begins again.
 ///
 /// **Answers.** solve() works in steps, each of which may better the answer: a search with one ring (setAnytime), its
-/// path shortened (setSmoothing), the search with all rings, its path shortened. The best path is kept, each
-/// improvement told to the problem's intermediate-solution callback (states from start to goal) and noted in
-/// improvements(). Work ends when the steps are done, when the termination condition holds, or when the best cost
-/// satisfies the objective's threshold. With both switched off the answer is the lattice's optimum: start, centres,
-/// goal, the cheapest for the problem's objective (path length if it has none; the planner never writes one into the
-/// problem), if the guidance's bound is admissible; see Guidance for the published one. A start and a goal in one cell
-/// are joined directly if that motion is valid.
+/// path shortened (setSmoothing), the search with all rings, its path shortened. For path length in the plane, from one
+/// start to one goal on the hexagons of a chart, with the guidance automatic and both of those on, the steps are these:
+/// on large lattices paths through large cells, of which the first takes a fraction of a millisecond on millions of
+/// cells, shortened; then the true shortest path of the plane, whatever its angles (HexAStar::setExact, TautSearch),
+/// with a proof; before that, where no path was found in large cells, the searches with one ring and with all. The best
+/// path is kept, each improvement told to the problem's intermediate-solution callback (states from start to goal) and
+/// noted in improvements(). Work ends when the steps are done, when the termination condition holds, or when the best
+/// cost satisfies the objective's threshold. With both switched off the answer is the lattice's optimum: start,
+/// centres, goal, the cheapest for the problem's objective (path length if it has none; the planner never writes one
+/// into the problem), if the guidance's bound is admissible; see Guidance for the published one. A start and a goal in
+/// one cell are joined directly if that motion is valid.
 ///
 /// **Objectives.** Any of OMPL's will do: costs, their sum and their order are the objective's; for path length and
 /// LatticeLengthObjective, which add up along a line, they are known beforehand and the bound is exact; so they are for
@@ -91,9 +95,9 @@ struct Improvement
 /// planner and passes through.
 ///
 /// **Progress properties**, safe to read from any thread at any time: "best cost REAL", "lower bound REAL" (no path
-/// that this planner may yet return is cheaper: the search's own bound where smoothing is off, the objective's
-/// heuristic otherwise), "expanded INTEGER" (cells, or cells with headings, by all
-/// searches since clear()), "open INTEGER".
+/// that this planner may yet return is cheaper: the search's own bound where smoothing is off; that of the search for
+/// the shortest path, once that has begun; the objective's heuristic otherwise), "expanded INTEGER" (cells, or cells
+/// with headings, by all searches since clear()), "open INTEGER".
 class LatticeAStar : public ompl::base::Planner
 {
 public:
@@ -120,6 +124,9 @@ public:
     /// Shorten what a search found by straight valid motions, as far as that lowers its cost. On by default.
     void setSmoothing(bool smoothing);
     bool getSmoothing() const { return smoothing_; }
+
+    /// Has the path found been proven to be the shortest of the plane (HexAStar::setExact)?
+    bool isProvenShortest() const;
 
     /// With no path to a goal, tell the one to the centre nearest to a goal as an approximate solution. Off by default.
     void setApproximate(bool approximate);
@@ -149,7 +156,7 @@ public:
     const std::optional<Lattice> &lattice() const { return lattice_; }
 
     PlanningOutcome outcome() const { return outcome_; }
-    /// Of the search with the most rings that has begun.
+    /// Of the search of the lattice with the most rings that has begun; all 0 where none was needed.
     const SearchCounters &counters() const { return counters_; }
     /// Wall time of the last solve(), joints, searches and smoothing included, milliseconds.
     double searchMs() const { return searchMs_; }
@@ -173,6 +180,8 @@ protected:
     virtual JumpChoice jumpChoice() const = 0;
     /// Search with one ring before the search with all?
     virtual bool searchesTwice() const { return false; }
+    /// Go on to the shortest path of the plane, where that can be done?
+    virtual bool isExact() const { return false; }
 
     /// To be called when what the functions above say has changed.
     void forgetSearch();

@@ -1,0 +1,141 @@
+// The true shortest path of the plane, and its proof, against a visibility graph over the corners of blocked cells.
+
+#include <seahex/planning/HexAStar.h>
+#include <seahex/world/SegmentValidity.h>
+
+#include "support/PlanningWorlds.h"
+#include "support/Random.h"
+#include "support/VisibilityGraph.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ob = ompl::base;
+
+namespace seahex::test
+{
+namespace
+{
+
+double lowerBoundOf(const HexAStar &planner)
+{
+    return std::stod(planner.getPlannerProgressProperties().at("lower bound REAL")());
+}
+
+std::shared_ptr<const HexOccupancy> randomBay(Random &random)
+{
+    const HexLattice lattice(Point(5.0, 7.0), 2.0, random.integer(2, 14), random.integer(2, 12));
+    return randomOccupancy(random, lattice, random.real(0.0, 0.45));
+}
+
+bool hasFreeCell(const HexOccupancy &occupancy)
+{
+    return occupancy.blockedCount() < occupancy.lattice().cellCount();
+}
+
+}  // namespace
+
+TEST(HexAStarExact, FindsTheShortestPathOfThePlane)
+{
+    int proven = 0;
+    forEachSeed(150,
+                [&](Random &random)
+                {
+                    const auto world = randomBay(random);
+                    if (!hasFreeCell(*world))
+                        return;
+                    const Point start = freePoint(random, *world);
+                    const Point goal = freePoint(random, *world);
+                    const double shortest = VisibilityGraph(*world).shortest(start, goal);
+                    const auto problem = problemBetween(chartSpace(world), start, goal);
+                    HexAStar planner(problem->getSpaceInformation());
+                    planner.setProblemDefinition(problem);
+                    planner.setAnytime(random.chance(0.5));
+                    planner.setRings(static_cast<int>(random.integer(1, 3)));
+                    const ob::PlannerStatus status = planner.solve(20.0);
+                    ASSERT_EQ(status == ob::PlannerStatus::EXACT_SOLUTION,
+                              shortest < std::numeric_limits<double>::infinity());
+                    if (!status)
+                        return;
+                    const auto path = pathOf(problem);
+                    EXPECT_GE(path->length(), shortest * (1.0 - 1e-9));
+                    EXPECT_LE(path->length(), shortest + 3e-6 * (shortest + 2.0));
+                    EXPECT_LE(lowerBoundOf(planner), shortest * (1.0 + 1e-9));
+                    EXPECT_EQ(planner.outcome(), PlanningOutcome::Found);
+                    for (std::size_t i = 1; i < path->getStateCount(); ++i)
+                        EXPECT_TRUE(isFree(*world, positionOf(problem->getSpaceInformation(), path->getState(i - 1)),
+                                           positionOf(problem->getSpaceInformation(), path->getState(i))));
+                    proven += planner.isProvenShortest() ? 1 : 0;
+                });
+    EXPECT_GT(proven, 60);
+}
+
+TEST(HexAStarExact, BoundsGrowAndMeetHoweverOftenItIsInterrupted)
+{
+    forEachSeed(60,
+                [](Random &random)
+                {
+                    const auto world = randomBay(random);
+                    if (!hasFreeCell(*world))
+                        return;
+                    const auto problem =
+                        problemBetween(chartSpace(world), freePoint(random, *world), freePoint(random, *world));
+                    HexAStar whole(problem->getSpaceInformation());
+                    whole.setProblemDefinition(problem);
+                    const ob::PlannerStatus status = whole.solve(20.0);
+                    const double length = status ? pathOf(problem)->length() : 0.0;
+                    problem->clearSolutionPaths();
+
+                    HexAStar pieces(problem->getSpaceInformation());
+                    pieces.setProblemDefinition(problem);
+                    double bound = 0.0;
+                    for (int sitting = 0; sitting < 200 && pieces.outcome() != PlanningOutcome::Found &&
+                                          pieces.outcome() != PlanningOutcome::Exhausted;
+                         ++sitting)
+                    {
+                        int looks = 0;
+                        const auto last = pieces.solve(ob::PlannerTerminationCondition([&] { return ++looks > 3; }));
+                        EXPECT_GE(lowerBoundOf(pieces), bound);
+                        bound = lowerBoundOf(pieces);
+                        if (last == ob::PlannerStatus::EXACT_SOLUTION)
+                        {
+                            EXPECT_LE(bound, pathOf(problem)->length());
+                        }
+                    }
+                    EXPECT_EQ(pieces.outcome(), whole.outcome());
+                    if (status)
+                    {
+                        EXPECT_NEAR(pathOf(problem)->length(), length, 1e-12 * length);
+                        EXPECT_EQ(pieces.isProvenShortest(), whole.isProvenShortest());
+                    }
+                });
+}
+
+TEST(HexAStarExact, IsLeftOutWhereItIsNotAskedForOrDoesNotHold)
+{
+    Random random(8);
+    const auto world = randomOccupancy(random, HexLattice(Point::Zero(), 1.0, 30, 30), 0.15);
+    const Point start = freePoint(random, *world);
+    const Point goal = freePoint(random, *world);
+    const auto solve = [&](SpaceKind kind, const auto &settings)
+    {
+        const auto problem = problemBetween(chartSpace(world, kind), start, goal);
+        HexAStar planner(problem->getSpaceInformation());
+        planner.setProblemDefinition(problem);
+        settings(planner);
+        EXPECT_TRUE(planner.solve(20.0));
+        return planner.isProvenShortest();
+    };
+    const auto asItIs = [](HexAStar &) {
+    };
+    EXPECT_TRUE(solve(SpaceKind::Plane, asItIs));
+    EXPECT_FALSE(solve(SpaceKind::Pose, asItIs));
+    EXPECT_FALSE(solve(SpaceKind::Cells, asItIs));
+    EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setExact(false); }));
+    EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setSmoothing(false); }));
+    EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setDirect(false); }));
+    EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setGuidance(Guidance::Distance); }));
+}
+
+}  // namespace seahex::test
