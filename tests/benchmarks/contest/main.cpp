@@ -6,6 +6,8 @@
 #include "contest/FirstPath.h"
 #include "contest/Opening.h"
 #include "contest/Options.h"
+#include "contest/ShortestPaths.h"
+#include "contest/Stopwatch.h"
 #include "contest/Targets.h"
 #include "contest/Trial.h"
 
@@ -71,6 +73,8 @@ private:
         addChore("fill", "hexagons", [](const Course &course) { return fillMs(course.world()); });
         addChore("fill", "gdal", [](const Course &course) { return rasterizeMs(course.world()); });
         addChore("first", "HexAStar", firstPathMs);
+        addChore("exact", "taut", exactMs);
+        add("gap/" + world, [this, world](benchmark::State &state) { findGap(state, world); });
         if (world.rfind("archipelago", 0) == 0)
             return;  // of no chart
         addChore("open", "seahex", [](const Course &course) { return openMs(course.world().chart); });
@@ -87,6 +91,26 @@ private:
             const double taken = ms(course);
             state.SetIterationTime(1e-3 * taken);
             measurements_.noteLeast(name, taken);
+        }
+    }
+    catch (const std::exception &error)
+    {
+        fail(state, error);
+    }
+
+    void findGap(benchmark::State &state, const std::string &world)
+    try
+    {
+        const Course &course = courseOn(world);
+        for (auto _ : state)
+        {
+            const Stopwatch watch;
+            const Gap gap = gapOfPulled(course);
+            state.SetIterationTime(watch.seconds());
+            measurements_.figures["gap/" + world + "/median"] = gap.median;
+            measurements_.figures["gap/" + world + "/worst"] = gap.worst;
+            state.counters["median_percent"] = gap.median;
+            state.counters["worst_percent"] = gap.worst;
         }
     }
     catch (const std::exception &error)
