@@ -1,0 +1,279 @@
+#include "seahex/search/JumpPointSearch.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <stdexcept>
+
+namespace seahex
+{
+namespace
+{
+
+/// A lead beside a ray, and the step to the neighbour behind on that side, which must be blocked for a turn.
+struct Beside
+{
+    unsigned int lead;
+    HexCoord behind;
+};
+
+constexpr HexCoord east{1, 0};
+constexpr HexCoord northEast{1, -1};
+constexpr HexCoord northWest{0, -1};
+constexpr HexCoord west{-1, 0};
+constexpr HexCoord southWest{-1, 1};
+constexpr HexCoord southEast{0, 1};
+
+constexpr std::array<HexCoord, 3> leadOffsets = {northEast, west, southEast};
+constexpr std::array<std::array<unsigned int, 2>, 3> raysBesideLead = {{{0, 1}, {1, 2}, {2, 0}}};
+constexpr std::array<std::array<Beside, 2>, 3> leadsBesideRay = {{
+    {{{0, northWest}, {2, southWest}}},
+    {{{1, southWest}, {0, east}}},
+    {{{2, east}, {1, northWest}}},
+}};
+
+/// Before anything is made for it.
+const CellLayout &fitting(const CellLayout &layout)
+{
+    constexpr std::int64_t most = std::int64_t{1} << 27;
+    if (layout.columns() > most || layout.rows() > most)
+        throw std::length_error("a jump point search takes at most 2^27 columns and rows");
+    return layout;
+}
+
+/// How far a cell lies beside the line of a ray: to the side of its first lead if negative.
+std::int32_t acrossRay(unsigned int ray, std::int32_t q, std::int32_t s)
+{
+    return ray == 0 ? s : ray == 1 ? q : -q - s;
+}
+
+}  // namespace
+
+JumpPointSearch::JumpPointSearch(const Occupancy &occupancy)
+    : layout_(fitting(occupancy.layout())), blocked_(occupancy.words().data()), rays_(occupancy),
+      store_(layout_.size()), leads_(), goalAddress_()
+{
+    for (std::size_t k = 0; k < leads_.size(); ++k)
+    {
+        const auto &rays = raysBesideLead[k];
+        leads_[k] = {static_cast<std::int32_t>(leadOffsets[k].q),
+                     static_cast<std::int32_t>(leadOffsets[k].s),
+                     rays,
+                     {rays_.delta(rays[0], leadOffsets[k]), rays_.delta(rays[1], leadOffsets[k])}};
+    }
+}
+
+void JumpPointSearch::begin(HexCoord start, HexCoord goal)
+{
+    store_.clear();
+    nodes_.clear();
+    stacks_.clear();
+    current_ = 0;
+    openSize_ = 0;
+    goalNode_.reset();
+    scannedWords_ = 0;
+    leadSteps_ = 0;
+    counters_ = {};
+    goalQ_ = static_cast<std::int32_t>(goal.q);
+    goalS_ = static_cast<std::int32_t>(goal.s);
+    for (unsigned int ray = 0; ray < HexRays::directions; ++ray)
+        goalAddress_[ray] = rays_.address(ray, goal);
+    const auto q = static_cast<std::int32_t>(start.q);
+    const auto s = static_cast<std::int32_t>(start.s);
+    startBound_ = remaining(q, s);
+    improves(indexOf(q, s), 0);
+    push(startBound_, {q, s, 0, none, none, atStart});
+}
+
+SearchStatus JumpPointSearch::run(const std::function<bool()> &stop, std::uint64_t pollInterval)
+{
+    std::uint64_t untilPoll = 0;
+    while (!goalNode_ && openSize_ != 0)
+    {
+        if (stacks_[current_] == none)
+        {
+            ++current_;
+            continue;
+        }
+        if (untilPoll-- == 0)
+        {
+            if (stop && stop())
+                return SearchStatus::Stopped;
+            untilPoll = pollInterval - 1;
+        }
+        const std::uint32_t index = stacks_[current_];
+        stacks_[current_] = nodes_[index].below;
+        --openSize_;
+        expand(index);
+    }
+    return goalNode_ ? SearchStatus::Found : SearchStatus::Exhausted;
+}
+
+/// Labels the cell if it has no label as low.
+inline bool JumpPointSearch::improves(CellIndex cell, std::uint32_t cost)
+{
+    if (!store_.isReached(cell))
+    {
+        store_.markReached(cell);
+        ++counters_.generated;
+    }
+    else if (store_.label(cell) <= cost)
+        return false;
+    else
+        ++counters_.improved;
+    store_.setLabel(cell, cost);
+    return true;
+}
+
+inline void JumpPointSearch::push(std::uint32_t estimate, const Node &node)
+{
+    const std::size_t stack = estimate - startBound_;
+    if (stack >= stacks_.size())
+        stacks_.resize(stack + 1, none);
+    const auto index = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(node);
+    nodes_.back().below = stacks_[stack];
+    stacks_[stack] = index;
+    ++openSize_;
+}
+
+void JumpPointSearch::expand(std::uint32_t index)
+{
+    const Node node = nodes_[index];
+    const CellIndex cell = indexOf(node.q, node.s);
+    const bool isLead = node.kind >= firstLead && node.kind < atStart;
+    if (!isLead && store_.label(cell) < node.cost)
+        return;
+    ++counters_.expanded;
+    if (trace_ != nullptr)
+        trace_->push_back(cell);
+    if (node.q == goalQ_ && node.s == goalS_)
+    {
+        goalNode_ = index;
+        return;
+    }
+    if (isLead)
+    {
+        followLead(node.kind - firstLead, node.q, node.s, node.cost, node.parent);
+        return;
+    }
+    const HexCoord at{node.q, node.s};
+    const auto lead = [&](unsigned int k)
+    {
+        followLead(k, node.q + leads_[k].q, node.s + leads_[k].s, node.cost + 1, index);
+    };
+    if (node.kind == atStart)
+    {
+        for (unsigned int ray = 0; ray < HexRays::directions; ++ray)
+            sendRay(ray, rays_.address(ray, at), node.q, node.s, node.cost, index);
+        for (unsigned int k = 0; k < leads_.size(); ++k)
+            lead(k);
+        return;
+    }
+    sendRay(node.kind, rays_.address(node.kind, at), node.q, node.s, node.cost, index);
+    for (const Beside &beside : leadsBesideRay[node.kind])
+        if (isBlocked(node.q + static_cast<std::int32_t>(beside.behind.q),
+                      node.s + static_cast<std::int32_t>(beside.behind.s)))
+            lead(beside.lead);
+}
+
+void JumpPointSearch::followLead(unsigned int number, std::int32_t q, std::int32_t s, std::uint32_t cost,
+                                 std::uint32_t parent)
+{
+    const Lead &lead = leads_[number];
+    const std::uint32_t least = startBound_ + static_cast<std::uint32_t>(current_);
+    std::array<HexRays::Address, 2> at = {rays_.address(lead.rays[0], {q, s}), rays_.address(lead.rays[1], {q, s})};
+    for (; !rays_.isBlocked(lead.rays[0], at[0]); ++cost)
+    {
+        const std::uint32_t estimate = cost + remaining(q, s);
+        if (estimate > least || (q == goalQ_ && s == goalS_))
+        {
+            push(estimate, {q, s, cost, parent, none, firstLead + number});
+            return;
+        }
+        if (!improves(indexOf(q, s), cost))
+            return;
+        ++leadSteps_;
+        for (std::size_t k = 0; k < 2; ++k)
+        {
+            sendRay(lead.rays[k], at[k], q, s, cost, parent);
+            at[k] += lead.addressStep[k];
+        }
+        q += lead.q;
+        s += lead.s;
+    }
+}
+
+inline void JumpPointSearch::sendRay(unsigned int ray, HexRays::Address from, std::int32_t q, std::int32_t s,
+                                     std::uint32_t cost, std::uint32_t parent)
+{
+    HexRays::Stop stop = rays_.firstStop(ray, from);
+    scannedWords_ += stop.words;
+    // lines end with blocked cells, so that what lies before the stop lies on this line
+    const HexRays::Address toGoal = goalAddress_[ray] - from;
+    if (toGoal > 0 && toGoal <= stop.distance)
+        stop = {toGoal, true, 0};
+    if (!stop.isTurn)
+        return;
+    const auto distance = static_cast<std::int32_t>(stop.distance);
+    q += distance * static_cast<std::int32_t>(HexRays::steps[ray].q);
+    s += distance * static_cast<std::int32_t>(HexRays::steps[ray].s);
+    cost += static_cast<std::uint32_t>(distance);
+    if (improves(indexOf(q, s), cost))
+        push(cost + remaining(q, s), {q, s, cost, parent, none, ray});
+}
+
+double JumpPointSearch::cost() const
+{
+    return goalNode_ ? static_cast<double>(nodes_[*goalNode_].cost) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<CellIndex> JumpPointSearch::path() const
+{
+    std::vector<CellIndex> cells;
+    if (!goalNode_)
+        return cells;
+    const Node *node = &nodes_[*goalNode_];
+    cells.reserve(node->cost + 1);
+    cells.push_back(indexOf(node->q, node->s));
+    for (; node->parent != none; node = &nodes_[node->parent])
+    {
+        const Node &parent = nodes_[node->parent];
+        std::int32_t q = node->q;
+        std::int32_t s = node->s;
+        const auto goBack = [&](HexCoord step, std::uint32_t count)
+        {
+            for (; count != 0; --count)
+            {
+                q -= static_cast<std::int32_t>(step.q);
+                s -= static_cast<std::int32_t>(step.s);
+                cells.push_back(indexOf(q, s));
+            }
+        };
+        // the lead's steps come first, so that backwards they come last
+        const std::uint32_t steps = node->cost - parent.cost;
+        if (node->kind >= firstLead)
+        {
+            goBack(leadOffsets[node->kind - firstLead], steps);
+            continue;
+        }
+        const std::int32_t across = acrossRay(node->kind, node->q - parent.q, node->s - parent.s);
+        const auto aside = static_cast<std::uint32_t>(std::abs(across));
+        goBack(HexRays::steps[node->kind], steps - aside);
+        goBack(leadOffsets[leadsBesideRay[node->kind][across > 0 ? 1 : 0].lead], aside);
+    }
+    std::reverse(cells.begin(), cells.end());
+    return cells;
+}
+
+double JumpPointSearch::lowerBound() const
+{
+    if (goalNode_ || openSize_ == 0)
+        return cost();
+    std::size_t least = current_;
+    while (stacks_[least] == none)
+        ++least;
+    return static_cast<double>(startBound_ + least);
+}
+
+}  // namespace seahex
