@@ -47,6 +47,15 @@ std::int32_t acrossRay(unsigned int ray, std::int32_t q, std::int32_t s)
     return ray == 0 ? s : ray == 1 ? q : -q - s;
 }
 
+/// How many steps of a lead bring a cell so far away nearer by one each.
+std::uint32_t stepsNearing(unsigned int lead, std::int32_t q, std::int32_t s)
+{
+    // what lies between the lead and a ray 60 degrees off it is a sum of both; how often the lead
+    const std::int32_t r = -q - s;
+    const std::int32_t steps = lead == 0 ? std::min(q, -s) : lead == 1 ? std::min(r, -q) : std::min(s, -r);
+    return static_cast<std::uint32_t>(std::max(steps, 0));
+}
+
 }  // namespace
 
 JumpPointSearch::JumpPointSearch(const Occupancy &occupancy)
@@ -157,55 +166,93 @@ void JumpPointSearch::expand(std::uint32_t index)
         followLead(node.kind - firstLead, node.q, node.s, node.cost, node.parent);
         return;
     }
-    const HexCoord at{node.q, node.s};
-    const auto lead = [&](unsigned int k)
+    const auto sendRayHere = [&](unsigned int ray)
     {
-        followLead(k, node.q + leads_[k].q, node.s + leads_[k].s, node.cost + 1, index);
+        const HexRays::Address from = rays_.address(ray, {node.q, node.s});
+        switch (ray)
+        {
+            case 0:
+                return sendRay<0>(from, node.q, node.s, node.cost, index);
+            case 1:
+                return sendRay<1>(from, node.q, node.s, node.cost, index);
+            default:
+                return sendRay<2>(from, node.q, node.s, node.cost, index);
+        }
+    };
+    const auto beginLead = [&](unsigned int lead)
+    {
+        followLead(lead, node.q + leads_[lead].q, node.s + leads_[lead].s, node.cost + 1, index);
     };
     if (node.kind == atStart)
     {
         for (unsigned int ray = 0; ray < HexRays::directions; ++ray)
-            sendRay(ray, rays_.address(ray, at), node.q, node.s, node.cost, index);
-        for (unsigned int k = 0; k < leads_.size(); ++k)
-            lead(k);
+            sendRayHere(ray);
+        for (unsigned int lead = 0; lead < leads_.size(); ++lead)
+            beginLead(lead);
         return;
     }
-    sendRay(node.kind, rays_.address(node.kind, at), node.q, node.s, node.cost, index);
+    sendRayHere(node.kind);
     for (const Beside &beside : leadsBesideRay[node.kind])
         if (isBlocked(node.q + static_cast<std::int32_t>(beside.behind.q),
                       node.s + static_cast<std::int32_t>(beside.behind.s)))
-            lead(beside.lead);
+            beginLead(beside.lead);
 }
 
-void JumpPointSearch::followLead(unsigned int number, std::int32_t q, std::int32_t s, std::uint32_t cost,
-                                 std::uint32_t parent)
+inline void JumpPointSearch::followLead(unsigned int lead, std::int32_t q, std::int32_t s, std::uint32_t cost,
+                                        std::uint32_t parent)
 {
-    const Lead &lead = leads_[number];
-    const std::uint32_t least = startBound_ + static_cast<std::uint32_t>(current_);
-    std::array<HexRays::Address, 2> at = {rays_.address(lead.rays[0], {q, s}), rays_.address(lead.rays[1], {q, s})};
-    for (; !rays_.isBlocked(lead.rays[0], at[0]); ++cost)
+    switch (lead)
     {
-        const std::uint32_t estimate = cost + remaining(q, s);
-        if (estimate > least || (q == goalQ_ && s == goalS_))
-        {
-            push(estimate, {q, s, cost, parent, none, firstLead + number});
-            return;
-        }
-        if (!improves(indexOf(q, s), cost))
-            return;
-        ++leadSteps_;
-        for (std::size_t k = 0; k < 2; ++k)
-        {
-            sendRay(lead.rays[k], at[k], q, s, cost, parent);
-            at[k] += lead.addressStep[k];
-        }
-        q += lead.q;
-        s += lead.s;
+        case 0:
+            return followLead<0>(q, s, cost, parent);
+        case 1:
+            return followLead<1>(q, s, cost, parent);
+        default:
+            return followLead<2>(q, s, cost, parent);
     }
 }
 
-inline void JumpPointSearch::sendRay(unsigned int ray, HexRays::Address from, std::int32_t q, std::int32_t s,
-                                     std::uint32_t cost, std::uint32_t parent)
+template <unsigned int lead>
+void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t cost, std::uint32_t parent)
+{
+    constexpr unsigned int left = raysBesideLead[lead][1];
+    constexpr unsigned int right = raysBesideLead[lead][0];
+    constexpr auto stepQ = static_cast<std::int32_t>(leadOffsets[lead].q);
+    constexpr auto stepS = static_cast<std::int32_t>(leadOffsets[lead].s);
+    HexRays::Address atLeft = rays_.address(left, {q, s});
+    if (rays_.isBlocked(left, atLeft))
+        return;
+    const std::uint32_t toGo = remaining(q, s);
+    const std::uint32_t estimate = cost + toGo;
+    if (estimate != startBound_ + current_)
+    {
+        push(estimate, {q, s, cost, parent, none, firstLead + lead});
+        return;
+    }
+    HexRays::Address atRight = rays_.address(right, {q, s});
+    const HexRays::Address stepLeft = leads_[lead].addressStep[1];
+    const HexRays::Address stepRight = leads_[lead].addressStep[0];
+    // as long as each step brings the goal nearer by one, the estimate stays what it is; the goal itself is pushed
+    const std::uint32_t nearing = stepsNearing(lead, goalQ_ - q, goalS_ - s);
+    for (const std::uint32_t end = cost + nearing + (nearing == toGo ? 0 : 1); cost != end; ++cost)
+    {
+        if (rays_.isBlocked(left, atLeft) || !improves(indexOf(q, s), cost))
+            return;
+        ++leadSteps_;
+        sendRay<left>(atLeft, q, s, cost, parent);
+        sendRay<right>(atRight, q, s, cost, parent);
+        atLeft += stepLeft;
+        atRight += stepRight;
+        q += stepQ;
+        s += stepS;
+    }
+    if (!rays_.isBlocked(left, atLeft))
+        push(cost + remaining(q, s), {q, s, cost, parent, none, firstLead + lead});
+}
+
+template <unsigned int ray>
+inline void JumpPointSearch::sendRay(HexRays::Address from, std::int32_t q, std::int32_t s, std::uint32_t cost,
+                                     std::uint32_t parent)
 {
     HexRays::Stop stop = rays_.firstStop(ray, from);
     scannedWords_ += stop.words;

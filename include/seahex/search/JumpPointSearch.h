@@ -132,8 +132,10 @@ private:
     void push(std::uint32_t estimate, const Node &node);
     void expand(std::uint32_t index);
     void followLead(unsigned int lead, std::int32_t q, std::int32_t s, std::uint32_t cost, std::uint32_t parent);
-    void sendRay(unsigned int ray, HexRays::Address from, std::int32_t q, std::int32_t s, std::uint32_t cost,
-                 std::uint32_t parent);
+    template <unsigned int lead>
+    void followLead(std::int32_t q, std::int32_t s, std::uint32_t cost, std::uint32_t parent);
+    template <unsigned int ray>
+    void sendRay(HexRays::Address from, std::int32_t q, std::int32_t s, std::uint32_t cost, std::uint32_t parent);
 
     CellLayout layout_;
     const std::uint64_t *blocked_;
