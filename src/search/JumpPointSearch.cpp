@@ -10,27 +10,46 @@ namespace seahex
 namespace
 {
 
+struct Step
+{
+    std::int32_t q;
+    std::int32_t s;
+};
+
 /// A lead beside a ray, and the step to the neighbour behind on that side, which must be blocked for a turn.
 struct Beside
 {
     unsigned int lead;
-    HexCoord behind;
+    Step behind;
 };
 
-constexpr HexCoord east{1, 0};
-constexpr HexCoord northEast{1, -1};
-constexpr HexCoord northWest{0, -1};
-constexpr HexCoord west{-1, 0};
-constexpr HexCoord southWest{-1, 1};
-constexpr HexCoord southEast{0, 1};
+constexpr Step east{1, 0};
+constexpr Step northEast{1, -1};
+constexpr Step northWest{0, -1};
+constexpr Step west{-1, 0};
+constexpr Step southWest{-1, 1};
+constexpr Step southEast{0, 1};
 
-constexpr std::array<HexCoord, 3> leadOffsets = {northEast, west, southEast};
+constexpr std::array<Step, 3> raySteps = {east, northWest, southWest};
+constexpr std::array<Step, 3> leadSteps = {northEast, west, southEast};
+
+// first the one to the right, then the one to the left
 constexpr std::array<std::array<unsigned int, 2>, 3> raysBesideLead = {{{0, 1}, {1, 2}, {2, 0}}};
+// first the one to whose side acrossRay() is negative
 constexpr std::array<std::array<Beside, 2>, 3> leadsBesideRay = {{
     {{{0, northWest}, {2, southWest}}},
     {{{1, southWest}, {0, east}}},
     {{{2, east}, {1, northWest}}},
 }};
+
+constexpr bool areThoseOfHexRays()
+{
+    for (std::size_t ray = 0; ray < raySteps.size(); ++ray)
+        if (raySteps[ray].q != HexRays::steps[ray].q || raySteps[ray].s != HexRays::steps[ray].s)
+            return false;
+    return true;
+}
+static_assert(areThoseOfHexRays());
 
 /// Before anything is made for it.
 const CellLayout &fitting(const CellLayout &layout)
@@ -60,16 +79,11 @@ std::uint32_t stepsNearing(unsigned int lead, std::int32_t q, std::int32_t s)
 
 JumpPointSearch::JumpPointSearch(const Occupancy &occupancy)
     : layout_(fitting(occupancy.layout())), blocked_(occupancy.words().data()), rays_(occupancy),
-      store_(layout_.size()), leads_(), goalAddress_()
+      store_(layout_.size()), leadDeltas_(), goalAddress_()
 {
-    for (std::size_t k = 0; k < leads_.size(); ++k)
-    {
-        const auto &rays = raysBesideLead[k];
-        leads_[k] = {static_cast<std::int32_t>(leadOffsets[k].q),
-                     static_cast<std::int32_t>(leadOffsets[k].s),
-                     rays,
-                     {rays_.delta(rays[0], leadOffsets[k]), rays_.delta(rays[1], leadOffsets[k])}};
-    }
+    for (std::size_t lead = 0; lead < leadSteps.size(); ++lead)
+        for (std::size_t side = 0; side < 2; ++side)
+            leadDeltas_[lead][side] = rays_.delta(raysBesideLead[lead][side], {leadSteps[lead].q, leadSteps[lead].s});
 }
 
 void JumpPointSearch::begin(HexCoord start, HexCoord goal)
@@ -81,7 +95,7 @@ void JumpPointSearch::begin(HexCoord start, HexCoord goal)
     openSize_ = 0;
     goalNode_.reset();
     scannedWords_ = 0;
-    leadSteps_ = 0;
+    leadCells_ = 0;
     counters_ = {};
     goalQ_ = static_cast<std::int32_t>(goal.q);
     goalS_ = static_cast<std::int32_t>(goal.s);
@@ -181,20 +195,19 @@ void JumpPointSearch::expand(std::uint32_t index)
     };
     const auto beginLead = [&](unsigned int lead)
     {
-        followLead(lead, node.q + leads_[lead].q, node.s + leads_[lead].s, node.cost + 1, index);
+        followLead(lead, node.q + leadSteps[lead].q, node.s + leadSteps[lead].s, node.cost + 1, index);
     };
     if (node.kind == atStart)
     {
         for (unsigned int ray = 0; ray < HexRays::directions; ++ray)
             sendRayHere(ray);
-        for (unsigned int lead = 0; lead < leads_.size(); ++lead)
+        for (unsigned int lead = 0; lead < leadSteps.size(); ++lead)
             beginLead(lead);
         return;
     }
     sendRayHere(node.kind);
     for (const Beside &beside : leadsBesideRay[node.kind])
-        if (isBlocked(node.q + static_cast<std::int32_t>(beside.behind.q),
-                      node.s + static_cast<std::int32_t>(beside.behind.s)))
+        if (isBlocked(node.q + beside.behind.q, node.s + beside.behind.s))
             beginLead(beside.lead);
 }
 
@@ -217,8 +230,7 @@ void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t c
 {
     constexpr unsigned int left = raysBesideLead[lead][1];
     constexpr unsigned int right = raysBesideLead[lead][0];
-    constexpr auto stepQ = static_cast<std::int32_t>(leadOffsets[lead].q);
-    constexpr auto stepS = static_cast<std::int32_t>(leadOffsets[lead].s);
+    constexpr Step step = leadSteps[lead];
     HexRays::Address atLeft = rays_.address(left, {q, s});
     if (rays_.isBlocked(left, atLeft))
         return;
@@ -230,21 +242,21 @@ void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t c
         return;
     }
     HexRays::Address atRight = rays_.address(right, {q, s});
-    const HexRays::Address stepLeft = leads_[lead].addressStep[1];
-    const HexRays::Address stepRight = leads_[lead].addressStep[0];
+    const HexRays::Address stepLeft = leadDeltas_[lead][1];
+    const HexRays::Address stepRight = leadDeltas_[lead][0];
     // as long as each step brings the goal nearer by one, the estimate stays what it is; the goal itself is pushed
     const std::uint32_t nearing = stepsNearing(lead, goalQ_ - q, goalS_ - s);
     for (const std::uint32_t end = cost + nearing + (nearing == toGo ? 0 : 1); cost != end; ++cost)
     {
         if (rays_.isBlocked(left, atLeft) || !improves(indexOf(q, s), cost))
             return;
-        ++leadSteps_;
+        ++leadCells_;
         sendRay<left>(atLeft, q, s, cost, parent);
         sendRay<right>(atRight, q, s, cost, parent);
         atLeft += stepLeft;
         atRight += stepRight;
-        q += stepQ;
-        s += stepS;
+        q += step.q;
+        s += step.s;
     }
     if (!rays_.isBlocked(left, atLeft))
         push(cost + remaining(q, s), {q, s, cost, parent, none, firstLead + lead});
@@ -263,8 +275,8 @@ inline void JumpPointSearch::sendRay(HexRays::Address from, std::int32_t q, std:
     if (!stop.isTurn)
         return;
     const auto distance = static_cast<std::int32_t>(stop.distance);
-    q += distance * static_cast<std::int32_t>(HexRays::steps[ray].q);
-    s += distance * static_cast<std::int32_t>(HexRays::steps[ray].s);
+    q += distance * raySteps[ray].q;
+    s += distance * raySteps[ray].s;
     cost += static_cast<std::uint32_t>(distance);
     if (improves(indexOf(q, s), cost))
         push(cost + remaining(q, s), {q, s, cost, parent, none, ray});
@@ -288,12 +300,12 @@ std::vector<CellIndex> JumpPointSearch::path() const
         const Node &parent = nodes_[node->parent];
         std::int32_t q = node->q;
         std::int32_t s = node->s;
-        const auto goBack = [&](HexCoord step, std::uint32_t count)
+        const auto goBack = [&](Step step, std::uint32_t count)
         {
             for (; count != 0; --count)
             {
-                q -= static_cast<std::int32_t>(step.q);
-                s -= static_cast<std::int32_t>(step.s);
+                q -= step.q;
+                s -= step.s;
                 cells.push_back(indexOf(q, s));
             }
         };
@@ -301,16 +313,24 @@ std::vector<CellIndex> JumpPointSearch::path() const
         const std::uint32_t steps = node->cost - parent.cost;
         if (node->kind >= firstLead)
         {
-            goBack(leadOffsets[node->kind - firstLead], steps);
+            goBack(leadSteps[node->kind - firstLead], steps);
             continue;
         }
         const std::int32_t across = acrossRay(node->kind, node->q - parent.q, node->s - parent.s);
         const auto aside = static_cast<std::uint32_t>(std::abs(across));
-        goBack(HexRays::steps[node->kind], steps - aside);
-        goBack(leadOffsets[leadsBesideRay[node->kind][across > 0 ? 1 : 0].lead], aside);
+        goBack(raySteps[node->kind], steps - aside);
+        goBack(leadSteps[leadsBesideRay[node->kind][across > 0 ? 1 : 0].lead], aside);
     }
     std::reverse(cells.begin(), cells.end());
     return cells;
+}
+
+SearchMemory JumpPointSearch::memory() const
+{
+    return {2 * store_.size() / 8 + rays_.bytes(),
+            (static_cast<std::size_t>(counters_.generated) + store_.touchedWords().capacity() + stacks_.capacity()) *
+                    sizeof(std::uint32_t) +
+                nodes_.capacity() * sizeof(Node)};
 }
 
 double JumpPointSearch::lowerBound() const

@@ -3,11 +3,13 @@
 #include <seahex/search/HexRays.h>
 #include <seahex/search/LabelStore.h>
 #include <seahex/search/SearchCounters.h>
+#include <seahex/search/SearchMemory.h>
 #include <seahex/search/SearchStatus.h>
 #include <seahex/world/Occupancy.h>
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -70,12 +72,14 @@ public:
     const CellLayout &layout() const { return layout_; }
     /// Expanded are turns, and the parts of leads that were taken from the open list; generated, improved: labels.
     const SearchCounters &counters() const { return counters_; }
-    /// Words of 64 cells that rays looked at.
+    /// Looks at 64 cells of a ray.
     std::uint64_t scannedWords() const { return scannedWords_; }
-    /// Steps of leads.
-    std::uint64_t leadSteps() const { return leadSteps_; }
+    /// Cells of leads, from each of which two rays were sent out.
+    std::uint64_t leadCells() const { return leadCells_; }
     std::size_t openSize() const { return openSize_; }
+    SearchMemory memory() const;
 
+    /// Has the cell a label?
     bool isReached(CellIndex cell) const { return store_.isReached(cell); }
 
     /// If given, the cell of every expansion is appended to the trace.
@@ -100,15 +104,6 @@ private:
         std::uint32_t parent;
         std::uint32_t below;  // in its stack
         std::uint32_t kind;
-    };
-
-    /// One of the leads.
-    struct Lead
-    {
-        std::int32_t q;
-        std::int32_t s;
-        std::array<unsigned int, 2> rays;             // 60 degrees off
-        std::array<HexRays::Address, 2> addressStep;  // in their planes
     };
 
     CellIndex indexOf(std::int32_t q, std::int32_t s) const
@@ -141,7 +136,7 @@ private:
     const std::uint64_t *blocked_;
     HexRays rays_;
     LabelStore store_;
-    std::array<Lead, 3> leads_;
+    std::array<std::array<HexRays::Address, 2>, 3> leadDeltas_;  // of a lead in the planes of the rays beside it
 
     // of one search
     std::int32_t goalQ_ = 0;
@@ -154,7 +149,7 @@ private:
     std::size_t openSize_ = 0;
     std::optional<std::uint32_t> goalNode_;
     std::uint64_t scannedWords_ = 0;
-    std::uint64_t leadSteps_ = 0;
+    std::uint64_t leadCells_ = 0;
     SearchCounters counters_;
     std::vector<CellIndex> *trace_ = nullptr;
 };

@@ -1,6 +1,7 @@
 #include "contest/BoostAStar.h"
 #include "contest/ChainSearch.h"
 #include "contest/Contender.h"
+#include "contest/JumpPoints.h"
 #include "contest/LatticeSearch.h"
 #include "contest/TextbookAStar.h"
 
@@ -37,6 +38,7 @@ const std::vector<ContenderKind> &contenders()
         {"astar_3", Side::Ours, 3, billion, maker<LatticeSearch>(3, Guidance::Distance)},
         {"relaxed_1", Side::Ours, 1, billion, maker<LatticeSearch>(1, Guidance::Relaxed)},
         {"relaxed_3", Side::Ours, 3, billion, maker<LatticeSearch>(3, Guidance::Relaxed)},
+        {"jps_1", Side::Ours, 1, billion, maker<JumpPoints>()},
         {"length_1", Side::Ours, 1, billion, maker<ChainSearch>(1)},
         {"length_2", Side::Ours, 2, billion, maker<ChainSearch>(2)},
         {"length_3", Side::Ours, 3, billion, maker<ChainSearch>(3)},
