@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace seahex
 {
@@ -77,13 +78,14 @@ std::uint32_t stepsNearing(unsigned int lead, std::int32_t q, std::int32_t s)
 
 }  // namespace
 
-JumpPointSearch::JumpPointSearch(const Occupancy &occupancy)
-    : layout_(fitting(occupancy.layout())), blocked_(occupancy.words().data()), rays_(occupancy),
-      store_(layout_.size()), leadDeltas_(), goalAddress_()
+JumpPointSearch::JumpPointSearch(const Occupancy &occupancy, std::shared_ptr<const HexRays> rays)
+    : layout_(fitting(occupancy.layout())), blocked_(occupancy.words().data()),
+      rays_(rays ? std::move(rays) : std::make_shared<const HexRays>(occupancy)), store_(layout_.size()), leadDeltas_(),
+      goalAddress_()
 {
     for (std::size_t lead = 0; lead < leadSteps.size(); ++lead)
         for (std::size_t side = 0; side < 2; ++side)
-            leadDeltas_[lead][side] = rays_.delta(raysBesideLead[lead][side], {leadSteps[lead].q, leadSteps[lead].s});
+            leadDeltas_[lead][side] = rays_->delta(raysBesideLead[lead][side], {leadSteps[lead].q, leadSteps[lead].s});
 }
 
 void JumpPointSearch::begin(HexCoord start, HexCoord goal)
@@ -100,7 +102,7 @@ void JumpPointSearch::begin(HexCoord start, HexCoord goal)
     goalQ_ = static_cast<std::int32_t>(goal.q);
     goalS_ = static_cast<std::int32_t>(goal.s);
     for (unsigned int ray = 0; ray < HexRays::directions; ++ray)
-        goalAddress_[ray] = rays_.address(ray, goal);
+        goalAddress_[ray] = rays_->address(ray, goal);
     const auto q = static_cast<std::int32_t>(start.q);
     const auto s = static_cast<std::int32_t>(start.s);
     startBound_ = remaining(q, s);
@@ -182,7 +184,7 @@ void JumpPointSearch::expand(std::uint32_t index)
     }
     const auto sendRayHere = [&](unsigned int ray)
     {
-        const HexRays::Address from = rays_.address(ray, {node.q, node.s});
+        const HexRays::Address from = rays_->address(ray, {node.q, node.s});
         switch (ray)
         {
             case 0:
@@ -231,8 +233,8 @@ void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t c
     constexpr unsigned int left = raysBesideLead[lead][1];
     constexpr unsigned int right = raysBesideLead[lead][0];
     constexpr Step step = leadSteps[lead];
-    HexRays::Address atLeft = rays_.address(left, {q, s});
-    if (rays_.isBlocked(left, atLeft))
+    HexRays::Address atLeft = rays_->address(left, {q, s});
+    if (rays_->isBlocked(left, atLeft))
         return;
     const std::uint32_t toGo = remaining(q, s);
     const std::uint32_t estimate = cost + toGo;
@@ -241,14 +243,14 @@ void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t c
         push(estimate, {q, s, cost, parent, none, firstLead + lead});
         return;
     }
-    HexRays::Address atRight = rays_.address(right, {q, s});
+    HexRays::Address atRight = rays_->address(right, {q, s});
     const HexRays::Address stepLeft = leadDeltas_[lead][1];
     const HexRays::Address stepRight = leadDeltas_[lead][0];
     // as long as each step brings the goal nearer by one, the estimate stays what it is; the goal itself is pushed
     const std::uint32_t nearing = stepsNearing(lead, goalQ_ - q, goalS_ - s);
     for (const std::uint32_t end = cost + nearing + (nearing == toGo ? 0 : 1); cost != end; ++cost)
     {
-        if (rays_.isBlocked(left, atLeft) || !improves(indexOf(q, s), cost))
+        if (rays_->isBlocked(left, atLeft) || !improves(indexOf(q, s), cost))
             return;
         ++leadCells_;
         sendRay<left>(atLeft, q, s, cost, parent);
@@ -258,7 +260,7 @@ void JumpPointSearch::followLead(std::int32_t q, std::int32_t s, std::uint32_t c
         q += step.q;
         s += step.s;
     }
-    if (!rays_.isBlocked(left, atLeft))
+    if (!rays_->isBlocked(left, atLeft))
         push(cost + remaining(q, s), {q, s, cost, parent, none, firstLead + lead});
 }
 
@@ -266,7 +268,7 @@ template <unsigned int ray>
 inline void JumpPointSearch::sendRay(HexRays::Address from, std::int32_t q, std::int32_t s, std::uint32_t cost,
                                      std::uint32_t parent)
 {
-    HexRays::Stop stop = rays_.firstStop(ray, from);
+    HexRays::Stop stop = rays_->firstStop(ray, from);
     scannedWords_ += stop.words;
     // lines end with blocked cells, so that what lies before the stop lies on this line
     const HexRays::Address toGoal = goalAddress_[ray] - from;
@@ -327,7 +329,7 @@ std::vector<CellIndex> JumpPointSearch::path() const
 
 SearchMemory JumpPointSearch::memory() const
 {
-    return {2 * store_.size() / 8 + rays_.bytes(),
+    return {2 * store_.size() / 8 + rays_->bytes(),
             (static_cast<std::size_t>(counters_.generated) + store_.touchedWords().capacity() + stacks_.capacity()) *
                     sizeof(std::uint32_t) +
                 nodes_.capacity() * sizeof(Node)};

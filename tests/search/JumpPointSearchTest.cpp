@@ -334,6 +334,25 @@ TEST(JumpPointSearch, FromACellToItself)
     EXPECT_EQ(search.path(), std::vector<CellIndex>{search.layout().index(HexCoord{1, 2})});
 }
 
+TEST(JumpPointSearch, SharesRays)
+{
+    Random random(6);
+    const World world = amongIslands(random, 90, 80);
+    const std::vector<HexCoord> cells = freeCells(*world);
+    JumpPointSearch first(*world);
+    JumpPointSearch second(*world, first.rays());
+    EXPECT_EQ(second.rays(), first.rays());
+    const HexCoord start = anyOf(random, cells);
+    const LeastSteps least(*world, start);
+    for (int query = 0; query < 10; ++query)
+    {
+        const HexCoord goal = anyOf(random, cells);
+        expectShortest(first, *world, least, start, goal);
+        expectShortest(second, *world, least, start, goal);
+        EXPECT_EQ(first.path(), second.path());
+    }
+}
+
 TEST(JumpPointSearch, RefusesALatticeTooLong)
 {
     // one row of 2^27 + 1 columns

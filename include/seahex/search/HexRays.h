@@ -20,8 +20,9 @@ namespace seahex
 /// (60 degrees off) is free: the ray has just passed the end of an obstacle.
 ///
 /// Bits are addressed by one number, linear in the cell's coordinates: a step in any direction adds a constant to it.
-/// Made once for an occupancy, in time and memory by its size (about 9 bits a cell in a lattice as wide as high);
-/// immutable afterwards, so that searches of several threads may share it.
+/// Made once for an occupancy, in time and memory by its size: 6 bits a cell, times 1 + rows / (2 columns) because
+/// lines lie aslant in the rectangle, lines of less than 64 cells as those of 64. Immutable afterwards, so that
+/// searches of several threads may share it.
 class HexRays
 {
 public:

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -50,8 +51,9 @@ class JumpPointSearch
 {
 public:
     /// @param occupancy  of hexagons; must outlive the search
+    /// @param rays  those of this occupancy, if they are to be shared; else they are made
     /// @throws std::length_error for more than 2^27 columns or rows
-    explicit JumpPointSearch(const Occupancy &occupancy);
+    explicit JumpPointSearch(const Occupancy &occupancy, std::shared_ptr<const HexRays> rays = nullptr);
 
     /// Forgets the last search and prepares one between two cells of the occupancy, both free.
     void begin(HexCoord start, HexCoord goal);
@@ -77,6 +79,8 @@ public:
     /// Cells of leads, from each of which two rays were sent out.
     std::uint64_t leadCells() const { return leadCells_; }
     std::size_t openSize() const { return openSize_; }
+    /// For further searches on the same occupancy, in other threads too.
+    const std::shared_ptr<const HexRays> &rays() const { return rays_; }
     SearchMemory memory() const;
 
     /// Has the cell a label?
@@ -134,7 +138,7 @@ private:
 
     CellLayout layout_;
     const std::uint64_t *blocked_;
-    HexRays rays_;
+    std::shared_ptr<const HexRays> rays_;
     LabelStore store_;
     std::array<std::array<HexRays::Address, 2>, 3> leadDeltas_;  // of a lead in the planes of the rays beside it
 
