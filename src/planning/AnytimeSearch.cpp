@@ -7,12 +7,24 @@
 #include <ompl/base/ScopedState.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace ob = ompl::base;
 
 namespace seahex
 {
+namespace
+{
+
+/// The step between neighbours in which b lies from a; some other difference where it lies in none.
+HexCoord direction(HexCoord a, HexCoord b)
+{
+    const std::int64_t steps = std::max<std::int64_t>(hexDistance(a, b), 1);
+    return {(b.q - a.q) / steps, (b.s - a.s) / steps};
+}
+
+}  // namespace
 
 AnytimeSearch::AnytimeSearch(SearchGround ground, const SearchSettings &settings, ProgressBoard &board,
                              OnImprovement onImprovement)
@@ -32,13 +44,19 @@ void AnytimeSearch::planSteps()
     };
     steps_.clear();
     const bool isExact = settings_.exact && isPlainLength();
-    levelsLeft_ = settings_.anytime && isPlainLength() ? ground_.searches->levels() : 0;
-    for (std::size_t level = 0; level < levelsLeft_; ++level)
+    levelsLeft_ = 0;
+    areStepsBegun_ = false;
+    if (settings_.anytime && isPlainLength())
+    {
+        levelsLeft_ = ground_.searches->levels();
+        add(Step::TrySteps);
         add(Step::SearchLarge);
+        add(Step::SearchSteps);
+    }
+    else if (settings_.anytime && settings_.jumps.rings > 1)
+        add(Step::SearchFirst);
     if (isExact)
         steps_.push_back(Step::ProveEarly);
-    if (settings_.anytime && settings_.jumps.rings > 1)
-        add(Step::SearchFirst);
     add(Step::SearchAll);
     if (isExact)
         steps_.push_back(Step::Prove);
@@ -126,10 +144,17 @@ bool AnytimeSearch::compareDirectly(const ob::PlannerTerminationCondition &stop)
 
 bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
 {
+    constexpr std::uint64_t fewExpansions = 1500;  // of jump points: some tenths of a millisecond
+    if (step != Step::Shorten)
+        latticePath_.reset();
     switch (step)
     {
         case Step::SearchLarge:
             return searchLarge(stop);
+        case Step::TrySteps:
+            return searchSteps(stop, fewExpansions);
+        case Step::SearchSteps:
+            return searchSteps(stop, std::numeric_limits<std::uint64_t>::max());
         case Step::SearchFirst:
             return search(1, stop);
         case Step::SearchAll:
@@ -144,34 +169,72 @@ bool AnytimeSearch::take(Step step, const ob::PlannerTerminationCondition &stop)
     return true;
 }
 
-/// In the largest cells that are left and have a path; thereafter in some at most a quarter as wide, for it is not
-/// worth the time to shorten many a path that is about as good.
+/// In the largest cells that have a path.
 bool AnytimeSearch::searchLarge(const ob::PlannerTerminationCondition &stop)
 {
-    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
-    const HexLattice &lattice = *ground_.lattice.hexagons();
-    const HexCoord start = lattice.cellAt(embedding.position(starts_.front()));
-    const HexCoord goal = lattice.cellAt(embedding.position(goals_.front()));
-    latticePath_.reset();
-    if (!ground_.occupancy->isFree(toOffset(start)) || !ground_.occupancy->isFree(toOffset(goal)))
+    if (best_ || !endCellsAreFree())
         return true;
-    while (levelsLeft_ > 0 && !latticePath_)
+    const auto [start, goal] = endCells();
+    while (levelsLeft_ > 0)
     {
         if (stop)
             return false;
         const std::vector<HexCoord> corners = ground_.searches->largeCells(--levelsLeft_).path(start, goal);
-        if (corners.empty())
-            continue;
-        levelsLeft_ -= std::min<std::size_t>(levelsLeft_, 1);
-        std::vector<Point> points;
-        for (const HexCoord corner : corners)
-            points.push_back(lattice.centre(corner));
-        points.insert(points.begin(), embedding.position(starts_.front()));
-        points.push_back(embedding.position(goals_.front()));
-        latticePath_ = pathThrough(points);
-        offer(latticePath_);
+        if (!corners.empty())
+        {
+            offerRough(corners);
+            return true;
+        }
     }
     return true;
+}
+
+/// By steps between neighbours.
+/// @param mostExpansions  give up for now after about so many
+bool AnytimeSearch::searchSteps(const ob::PlannerTerminationCondition &stop, std::uint64_t mostExpansions)
+{
+    constexpr std::uint64_t pollInterval = 64;  // an expansion may look at thousands of cells
+    if (best_ || !endCellsAreFree())
+        return true;
+    JumpPointSearch &steps = ground_.searches->steps();
+    if (!areStepsBegun_)
+    {
+        const auto [start, goal] = endCells();
+        steps.begin(start, goal);
+    }
+    areStepsBegun_ = true;
+    bool isOver = false;
+    const auto pauses = [&]
+    {
+        isOver = stop();
+        return isOver || steps.counters().expanded >= mostExpansions;
+    };
+    if (steps.run(pauses, pollInterval) != SearchStatus::Found)
+        return !isOver;  // where there is no path, the search with all rings will tell, and what can be reached
+    std::vector<HexCoord> corners;
+    for (const CellIndex index : steps.path())
+    {
+        const HexCoord cell = steps.layout().cell(index);
+        const std::size_t count = corners.size();
+        if (count > 1 && cell - corners[count - 1] == direction(corners[count - 2], corners[count - 1]))
+            corners.back() = cell;
+        else
+            corners.push_back(cell);
+    }
+    offerRough(corners);
+    return true;
+}
+
+/// Offers a path over the centres of these cells, to be shortened.
+void AnytimeSearch::offerRough(const std::vector<HexCoord> &cells)
+{
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    std::vector<Point> points = {embedding.position(starts_.front())};
+    for (const HexCoord cell : cells)
+        points.push_back(ground_.lattice.hexagons()->centre(cell));
+    points.push_back(embedding.position(goals_.front()));
+    latticePath_ = pathThrough(points);
+    offer(latticePath_);
 }
 
 bool AnytimeSearch::prove(const ob::PlannerTerminationCondition &stop)
@@ -200,6 +263,20 @@ bool AnytimeSearch::prove(const ob::PlannerTerminationCondition &stop)
     return true;
 }
 
+std::pair<HexCoord, HexCoord> AnytimeSearch::endCells() const
+{
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    const HexLattice &lattice = *ground_.lattice.hexagons();
+    return {lattice.cellAt(embedding.position(starts_.front())), lattice.cellAt(embedding.position(goals_.front()))};
+}
+
+/// Do start and goal lie in cells that a search can begin and end with?
+bool AnytimeSearch::endCellsAreFree() const
+{
+    const auto [start, goal] = endCells();
+    return ground_.occupancy->isFree(toOffset(start)) && ground_.occupancy->isFree(toOffset(goal));
+}
+
 /// States at these points, the first and last those of the start and the goal.
 std::shared_ptr<AnytimeSearch::Path> AnytimeSearch::pathThrough(const std::vector<Point> &points) const
 {
@@ -222,7 +299,6 @@ bool AnytimeSearch::search(int rings, const ob::PlannerTerminationCondition &sto
     if (!isInStep_)
         query_->useRings(rings);
     isInStep_ = true;
-    latticePath_.reset();
     const SearchStatus status = query_->run(stop);
     if (status == SearchStatus::Stopped)
         return false;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace seahex
@@ -73,8 +74,10 @@ public:
 private:
     enum class Step
     {
-        SearchLarge,  // in large cells
+        TrySteps,     // by steps between neighbours, where only the path counts; for a moment
+        SearchLarge,  // in large cells, if there is no path yet
         SearchFirst,  // with one ring
+        SearchSteps,  // by steps to the end, if there is still none
         SearchAll,    // with all
         Shorten,
         ProveEarly,  // where there is a path to improve on
@@ -84,11 +87,15 @@ private:
     bool compareDirectly(const ompl::base::PlannerTerminationCondition &stop);
     bool take(Step step, const ompl::base::PlannerTerminationCondition &stop);
     bool searchLarge(const ompl::base::PlannerTerminationCondition &stop);
+    bool searchSteps(const ompl::base::PlannerTerminationCondition &stop, std::uint64_t mostExpansions);
+    void offerRough(const std::vector<HexCoord> &cells);
     bool prove(const ompl::base::PlannerTerminationCondition &stop);
     bool search(int rings, const ompl::base::PlannerTerminationCondition &stop);
     bool shorten(const ompl::base::PlannerTerminationCondition &stop);
     LatticeQuestion question();
     bool isPlainLength();
+    std::pair<HexCoord, HexCoord> endCells() const;
+    bool endCellsAreFree() const;
     void planSteps();
     void makeQuery();
     std::shared_ptr<Path> pathThrough(const std::vector<Point> &points) const;
@@ -107,6 +114,7 @@ private:
     std::size_t step_ = 0;  // the one that is next, or was interrupted
     bool isInStep_ = false;
     bool isProven_ = false;
+    bool areStepsBegun_ = false;
     std::size_t levelsLeft_ = 0;  // of large cells, the largest first
     std::unique_ptr<LatticeQuery> query_;
     std::vector<CellIndex> trace_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "seahex/search/CoarseSearch.h"
+#include "seahex/search/JumpPointSearch.h"
 #include "seahex/search/LengthSearch.h"
 #include "seahex/search/TautSearch.h"
 #include "seahex/world/CoarseOccupancy.h"
@@ -17,10 +18,10 @@ namespace seahex
 class ChartSearches
 {
 public:
-    /// Makes the large cells, which takes some milliseconds for a million cells.
+    /// Makes large cells and rays, which takes a few milliseconds for a million cells.
     explicit ChartSearches(std::shared_ptr<const HexOccupancy> occupancy)
         : occupancy_(std::move(occupancy)), coarse_(coarseOccupancies(*occupancy_)), cells_(*occupancy_, 3),
-          taut_(*occupancy_)
+          steps_(*occupancy_), taut_(*occupancy_)
     {
         for (const auto &level : coarse_)
             largeCells_.push_back(std::make_unique<CoarseSearch>(*occupancy_, *level));
@@ -29,6 +30,8 @@ public:
     const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
 
     LengthSearch &cells() { return cells_; }
+    /// One ring only, and sooner.
+    JumpPointSearch &steps() { return steps_; }
     TautSearch &taut() { return taut_; }
 
     /// From the smallest of the large cells to the largest; each twice as wide as the one before.
@@ -39,6 +42,7 @@ private:
     std::shared_ptr<const HexOccupancy> occupancy_;
     std::vector<std::shared_ptr<const CoarseOccupancy>> coarse_;
     LengthSearch cells_;
+    JumpPointSearch steps_;
     TautSearch taut_;
     std::vector<std::unique_ptr<CoarseSearch>> largeCells_;
 };

@@ -120,10 +120,12 @@ HexCoord CoarseOccupancy::holding(HexCoord fine) const
 
 std::vector<std::shared_ptr<const CoarseOccupancy>> coarseOccupancies(const Occupancy &fine)
 {
-    constexpr std::int64_t fewCells = 4000;  // searched in tens of microseconds
+    constexpr std::int64_t fewCells = 4000;
+    constexpr std::int64_t manyCells = 80000;
     std::vector<std::shared_ptr<const CoarseOccupancy>> levels;
     for (std::int64_t factor = 4; fine.lattice().cellCount() / (factor * factor) >= fewCells; factor *= 2)
-        levels.push_back(std::make_shared<const CoarseOccupancy>(fine, factor));
+        if (fine.lattice().cellCount() / (factor * factor) <= manyCells)
+            levels.push_back(std::make_shared<const CoarseOccupancy>(fine, factor));
     return levels;
 }
 

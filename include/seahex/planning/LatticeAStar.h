@@ -58,8 +58,9 @@ struct Improvement
 /// path shortened (setSmoothing), the search with all rings, its path shortened. For path length in the plane, from one
 /// start to one goal on the hexagons of a chart, with the guidance automatic and both of those on, the steps are these:
 /// on large lattices paths through large cells, of which the first takes a fraction of a millisecond on millions of
-/// cells, shortened; then the true shortest path of the plane, whatever its angles (HexAStar::setExact, TautSearch),
-/// with a proof; before that, where no path was found in large cells, the searches with one ring and with all. The best
+/// cells, shortened; where there is none, the shortest chain of steps between neighbours (JumpPointSearch), shortened;
+/// then the true shortest path of the plane, whatever its angles (HexAStar::setExact, TautSearch), with a proof. The
+/// lattice itself is searched with that switched off, or where the last leg of a proof can't be made free. The best
 /// path is kept, each improvement told to the problem's intermediate-solution callback (states from start to goal) and
 /// noted in improvements(). Work ends when the steps are done, when the termination condition holds, or when the best
 /// cost satisfies the objective's threshold. With both switched off the answer is the lattice's optimum: start,

@@ -38,8 +38,9 @@ private:
     std::shared_ptr<const HexOccupancy> cells_;
 };
 
-/// Ever coarser occupancies of one of hexagons, the finest first: 4 times, 8 times, ... as coarse, down to some
-/// thousands of cells; none for a lattice that is small itself.
+/// Coarser occupancies of one of hexagons, the finest first, each twice as coarse as the one before: those with some
+/// thousands of cells up to some ten thousands, which are searched in a tenth of a millisecond; none for a lattice that
+/// is small itself.
 std::vector<std::shared_ptr<const CoarseOccupancy>> coarseOccupancies(const Occupancy &fine);
 
 }  // namespace seahex
