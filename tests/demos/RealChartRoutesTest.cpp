@@ -81,7 +81,7 @@ struct Scene
     ChartOracle oracle;
 };
 
-/// The planner's path and the smoothed route, as they are written.
+/// The lattice's best path and the shortest of the plane, as they are written.
 struct WrittenRoutes
 {
     GeoRoute raw;
@@ -96,18 +96,27 @@ std::optional<WrittenRoutes> plan(const Scene &scene, const LatLon &from, const 
     og::SimpleSetup setup(planarSpace(*occupancy));
     useOccupancy(setup, occupancy);
     setStartAndGoal(setup, projection.forward(position(from)), projection.forward(position(to)));
-    auto planner = std::make_shared<HexAStar>(setup.getSpaceInformation());
-    planner->setRings(3);
-    setup.setPlanner(planner);
-    setup.setup();
-    const ompl::base::PlannerStatus status = planner->solve(30.0);
-    EXPECT_NE(planner->outcome(), PlanningOutcome::OutOfTime);
-    if (status != ompl::base::PlannerStatus::EXACT_SOLUTION)
+    const auto solve = [&](bool smoothing) -> std::optional<Route>
+    {
+        setup.clear();
+        auto planner = std::make_shared<HexAStar>(setup.getSpaceInformation());
+        planner->setSmoothing(smoothing);
+        setup.setPlanner(planner);
+        setup.setup();
+        const ompl::base::PlannerStatus status = planner->solve(30.0);
+        EXPECT_NE(planner->outcome(), PlanningOutcome::OutOfTime);
+        if (status != ompl::base::PlannerStatus::EXACT_SOLUTION)
+            return std::nullopt;
+        EXPECT_EQ(planner->isProvenShortest(), smoothing);
+        return routeFromPath(setup.getSolutionPath());
+    };
+    const std::optional<Route> path = solve(false);
+    const std::optional<Route> shortest = solve(true);
+    EXPECT_EQ(path.has_value(), shortest.has_value());
+    if (!path || !shortest)
         return std::nullopt;
-    const Route path = routeFromPath(setup.getSolutionPath());
-    const Route pulled = pullString(path, *occupancy);
-    return WrittenRoutes{toGeoRoute(path, projection, position(from), position(to)),
-                         toGeoRoute(pulled, projection, position(from), position(to))};
+    return WrittenRoutes{toGeoRoute(*path, projection, position(from), position(to)),
+                         toGeoRoute(*shortest, projection, position(from), position(to))};
 }
 
 /// What the judge says of one written route, and what the library's own check says.
@@ -212,7 +221,8 @@ TEST_P(RealChartRoutes, noLegTouchesAnythingForbidden)
             expectSameClearance(scene, route);
             crossed += expectCrossingsNamed(scene, route);
         }
-        EXPECT_LE(rhumbLengthM(routes->smoothed), rhumbLengthM(routes->raw));
+        // shorter in the plane is shorter on the ellipsoid, but for what the plane bends
+        EXPECT_LE(rhumbLengthM(routes->smoothed), rhumbLengthM(routes->raw) * (1.0 + 1e-6));
         rawM += rhumbLengthM(routes->raw);
         smoothedM += rhumbLengthM(routes->smoothed);
     }
