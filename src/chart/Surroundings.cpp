@@ -1,16 +1,15 @@
 #include "Surroundings.h"
 
-#include "OgrShape.h"
+#include "seahex/geometry/AreaTouch.h"
+#include "seahex/geometry/Box.h"
 
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
-#include <ogr_api.h>
-
 #include <algorithm>
 #include <iterator>
-#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,47 +23,59 @@ namespace bgi = boost::geometry::index;
 constexpr double UNKNOWN_DEPTH_M = -1.0;
 
 using Corner = boost::geometry::model::d2::point_xy<double>;
-using Box = boost::geometry::model::box<Corner>;
-using Entry = std::pair<Box, std::size_t>;
+using IndexBox = boost::geometry::model::box<Corner>;
+using Entry = std::pair<IndexBox, std::size_t>;
 using Tree = bgi::rtree<Entry, bgi::quadratic<16>>;
 
-Box boxOf(const OGRGeometry &geometry)
+/// Grows with what it is shown.
+class Extent
 {
-    OGREnvelope box;
-    geometry.getEnvelope(&box);
-    return Box(Corner(box.MinX, box.MinY), Corner(box.MaxX, box.MaxY));
-}
+public:
+    template <class Points>
+    void add(const Points &points)
+    {
+        for (const Point &p : points)
+        {
+            box_.min = any_ ? Point(box_.min.cwiseMin(p)) : p;
+            box_.max = any_ ? Point(box_.max.cwiseMax(p)) : p;
+            any_ = true;
+        }
+    }
+
+    bool isEmpty() const { return !any_; }
+    IndexBox box() const { return IndexBox(Corner(box_.min.x(), box_.min.y()), Corner(box_.max.x(), box_.max.y())); }
+
+private:
+    Box box_;
+    bool any_ = false;
+};
 
 /// An area of one depth under dangers.
 class Bed
 {
 public:
     Bed(const Polygon &area, bool surveyed, double leastDepthM)
-        : area_(toOgr(std::vector<Polygon>{area})), surveyed_(surveyed), leastDepthM_(leastDepthM)
+        : area_(&area), surveyed_(surveyed), leastDepthM_(leastDepthM)
     {
     }
 
-    const OGRGeometry &area() const { return *area_; }
+    const Polygon &area() const { return *area_; }
     bool isSurveyed() const { return surveyed_; }
     double leastDepthM() const { return leastDepthM_; }
 
-    /// True if they share any point. Large areas are asked often, so the first question prepares the answer to others.
-    bool touches(const OGRGeometry &geometry) const
+    /// True if they share any point. Most areas are never asked, and those that are, often.
+    bool touches(const Shape &shape)
     {
-        if (!prepared_ && OGRHasPreparedGeometrySupport())
-            prepared_.reset(OGRCreatePreparedGeometry(OGRGeometry::ToHandle(area_.get())));
-        if (!prepared_)
-            return area_->Intersects(&geometry) != FALSE;
-        // The C interface takes no const pointers, but does not change what they point to.
-        return OGRPreparedGeometryIntersects(prepared_.get(),
-                                             OGRGeometry::ToHandle(const_cast<OGRGeometry *>(&geometry))) != FALSE;
+        if (!touch_)
+            touch_.emplace(*area_);
+        return touch_->touches(shape);
     }
 
 private:
-    std::unique_ptr<OGRMultiPolygon> area_;
+    const Polygon *area_;
     bool surveyed_;
     double leastDepthM_;
-    mutable OGRPreparedGeometryUniquePtr prepared_;
+    std::optional<AreaTouch> touch_;
 };
 
 std::vector<Bed> bedsOf(const CellContents &cell)
@@ -86,18 +97,32 @@ Tree treeOf(const std::vector<Bed> &beds)
 {
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < beds.size(); ++i)
-        entries.emplace_back(boxOf(beds[i].area()), i);
+    {
+        Extent extent;
+        extent.add(beds[i].area().outer());
+        if (!extent.isEmpty())
+            entries.emplace_back(extent.box(), i);
+    }
     return Tree(entries);
 }
 
-std::optional<double> leastDepthUnder(const OGRGeometry &danger, const std::vector<Bed> &beds, const Tree &tree)
+std::optional<double> leastDepthUnder(const Shape &danger, std::vector<Bed> &beds, const Tree &tree)
 {
+    Extent extent;
+    extent.add(danger.points);
+    for (const LineString &line : danger.lines)
+        extent.add(line);
+    for (const Polygon &area : danger.areas)
+        extent.add(area.outer());
+    if (extent.isEmpty())
+        return std::nullopt;
+
     std::vector<Entry> candidates;
-    tree.query(bgi::intersects(boxOf(danger)), std::back_inserter(candidates));
+    tree.query(bgi::intersects(extent.box()), std::back_inserter(candidates));
     std::optional<double> least;
     for (const Entry &candidate : candidates)
     {
-        const Bed &bed = beds[candidate.second];
+        Bed &bed = beds[candidate.second];
         if (!bed.touches(danger))
             continue;
         if (!bed.isSurveyed())
@@ -111,11 +136,11 @@ std::optional<double> leastDepthUnder(const OGRGeometry &danger, const std::vect
 
 void fillSurroundingDepths(CellContents &cell)
 {
-    const std::vector<Bed> beds = bedsOf(cell);
+    std::vector<Bed> beds = bedsOf(cell);
     const Tree tree = treeOf(beds);
     for (DraftHazard &hazard : cell.hazards)
         if (hazard.object.rule == HazardRule::Danger)
-            hazard.object.surroundingDepthM = leastDepthUnder(*toOgr(hazard.lonLat), beds, tree);
+            hazard.object.surroundingDepthM = leastDepthUnder(hazard.lonLat, beds, tree);
 }
 
 }  // namespace seahex
