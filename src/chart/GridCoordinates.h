@@ -2,8 +2,9 @@
 
 #include <seahex/geometry/Shape.h>
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace seahex
 {
@@ -18,21 +19,23 @@ struct GridPoint
     std::int64_t y;
 };
 
+/// The nearest point of the grid. Coordinates of a chart are whole but for rounding, so how halves go does not matter.
 inline GridPoint onGrid(const Point &degrees, double gridUnitsPerDegree)
 {
-    return {std::llround(degrees.x() * gridUnitsPerDegree), std::llround(degrees.y() * gridUnitsPerDegree)};
+    const auto nearest = [gridUnitsPerDegree](double value)
+    {
+        const double units = value * gridUnitsPerDegree;
+        return static_cast<std::int64_t>(units + (units < 0.0 ? -0.5 : 0.5));
+    };
+    return {nearest(degrees.x()), nearest(degrees.y())};
 }
 
 /// Positive for a ring that runs counter-clockwise.
-inline WideInteger twiceSignedArea(const Ring &ring, double gridUnitsPerDegree)
+inline WideInteger twiceSignedArea(const std::vector<GridPoint> &ring)
 {
     WideInteger sum = 0;
     for (std::size_t i = 1; i < ring.size(); ++i)
-    {
-        const GridPoint a = onGrid(ring[i - 1], gridUnitsPerDegree);
-        const GridPoint b = onGrid(ring[i], gridUnitsPerDegree);
-        sum += WideInteger(a.x) * b.y - WideInteger(b.x) * a.y;
-    }
+        sum += WideInteger(ring[i - 1].x) * ring[i].y - WideInteger(ring[i].x) * ring[i - 1].y;
     return sum;
 }
 

@@ -1,10 +1,11 @@
 #include "GroupOne.h"
 
-#include "GridCoordinates.h"
 #include "Overlay.h"
 #include "Tiling.h"
 
 #include "seahex/chart/HazardCatalogue.h"
+
+#include <boost/geometry/algorithms/num_points.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -13,24 +14,6 @@ namespace seahex
 {
 namespace
 {
-
-WideInteger twiceArea(const Ring &ring, double gridUnitsPerDegree)
-{
-    const WideInteger sum = twiceSignedArea(ring, gridUnitsPerDegree);
-    return sum < 0 ? -sum : sum;
-}
-
-WideInteger twiceArea(const std::vector<Polygon> &areas, double gridUnitsPerDegree)
-{
-    WideInteger sum = 0;
-    for (const Polygon &area : areas)
-    {
-        sum += twiceArea(area.outer(), gridUnitsPerDegree);
-        for (const Ring &hole : area.inners())
-            sum -= twiceArea(hole, gridUnitsPerDegree);
-    }
-    return sum;
-}
 
 std::string toDecimal(WideInteger value)
 {
@@ -66,41 +49,46 @@ std::string percent(double fraction)
     return text;
 }
 
+template <class Visit>
+void forEachGroupOneArea(const CellContents &cell, Visit &&visit)
+{
+    for (const DraftHazard &hazard : cell.hazards)
+    {
+        const HazardClass *row = hazard.lonLat.areas.empty() ? nullptr : findHazardClass(hazard.object.objectClass);
+        if (row != nullptr && row->groupOne)
+            std::for_each(hazard.lonLat.areas.begin(), hazard.lonLat.areas.end(), visit);
+    }
+}
+
 }  // namespace
 
 std::vector<Polygon> groupOneAreas(const CellContents &cell)
 {
     std::vector<Polygon> areas;
-    for (const DraftHazard &hazard : cell.hazards)
-    {
-        const HazardClass *row = findHazardClass(hazard.object.objectClass);
-        if (row != nullptr && row->groupOne)
-            areas.insert(areas.end(), hazard.lonLat.areas.begin(), hazard.lonLat.areas.end());
-    }
+    forEachGroupOneArea(cell, [&areas](const Polygon &area) { areas.push_back(area); });
     return areas;
-}
-
-std::string twiceAreaDifference(const std::vector<Polygon> &coverage, const std::vector<Polygon> &parts,
-                                double gridUnitsPerDegree)
-{
-    return toDecimal(twiceArea(coverage, gridUnitsPerDegree) - twiceArea(parts, gridUnitsPerDegree));
 }
 
 void checkGroupOne(CellContents &cell)
 {
-    GroupOneCheck &check = cell.report.groupOne;
-    const std::vector<Polygon> parts = groupOneAreas(cell);
-    check.applicable = true;
-    check.twiceAreaDifference = twiceAreaDifference(cell.coverage, parts, cell.gridUnitsPerDegree);
-    check.tiles = check.twiceAreaDifference == "0";
+    std::size_t corners = 0;
+    forEachGroupOneArea(cell, [&corners](const Polygon &area) { corners += boost::geometry::num_points(area); });
+    Tiling tiling(cell.gridUnitsPerDegree, corners);
+    for (const Polygon &area : cell.coverage)
+        tiling.addWhole(area);
+    forEachGroupOneArea(cell, [&tiling](const Polygon &area) { tiling.addPart(area); });
 
+    GroupOneCheck &check = cell.report.groupOne;
+    check.applicable = true;
+    check.twiceAreaDifference = toDecimal(tiling.twiceAreaDifference());
+    check.tiles = tiling.twiceAreaDifference() == 0;
     // Equal sums are what a sound cell has, but a gap and an overlap of one size have them too.
-    if (check.tiles && boundariesAddUp(cell.coverage, parts, cell.gridUnitsPerDegree))
+    if (check.tiles && tiling.boundariesAddUp())
         return;
 
     const std::string fault = "the areas of group 1 do not tile the coverage of " + cell.report.name + ": ";
     std::vector<Polygon> gaps;
-    if (!subtract(cell.coverage, parts, SEAM_GRID_UNITS / cell.gridUnitsPerDegree, gaps))
+    if (!subtract(cell.coverage, groupOneAreas(cell), SEAM_GRID_UNITS / cell.gridUnitsPerDegree, gaps))
     {
         // Where they are can't be found, so that all of the coverage must count as undescribed.
         gaps = cell.coverage;

@@ -1,7 +1,5 @@
 #include "Tiling.h"
 
-#include "GridCoordinates.h"
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
@@ -23,19 +21,24 @@ struct RunEnd
     auto key() const { return std::tie(dx, dy, offset, at); }
 };
 
-class Boundaries
+/// Compares steps along the lines on which they lie.
+class Runs
 {
 public:
-    explicit Boundaries(double gridUnitsPerDegree) : gridUnitsPerDegree_(gridUnitsPerDegree) {}
-
-    void add(const std::vector<Polygon> &areas, int sign)
+    void add(GridPoint from, GridPoint to)
     {
-        for (const Polygon &area : areas)
+        int sign = 1;
+        if (to.x < from.x || (to.x == from.x && to.y < from.y))
         {
-            add(area.outer(), sign);
-            for (const Ring &hole : area.inners())
-                add(hole, -sign);
+            std::swap(from, to);
+            sign = -1;
         }
+        const std::int64_t steps = std::gcd(to.x - from.x, to.y - from.y);
+        const std::int64_t dx = (to.x - from.x) / steps;
+        const std::int64_t dy = (to.y - from.y) / steps;
+        const WideInteger offset = WideInteger(dx) * from.y - WideInteger(dy) * from.x;
+        ends_.push_back({dx, dy, offset, dx != 0 ? from.x : from.y, sign});
+        ends_.push_back({dx, dy, offset, dx != 0 ? to.x : to.y, -sign});
     }
 
     bool cancel()
@@ -53,42 +56,39 @@ public:
     }
 
 private:
-    void add(const Ring &ring, int sign)
-    {
-        const int orientation = twiceSignedArea(ring, gridUnitsPerDegree_) < 0 ? -sign : sign;
-        for (std::size_t i = 1; i < ring.size(); ++i)
-            add(onGrid(ring[i - 1], gridUnitsPerDegree_), onGrid(ring[i], gridUnitsPerDegree_), orientation);
-    }
-
-    void add(GridPoint from, GridPoint to, int sign)
-    {
-        if (from.x == to.x && from.y == to.y)
-            return;
-        if (to.x < from.x || (to.x == from.x && to.y < from.y))
-        {
-            std::swap(from, to);
-            sign = -sign;
-        }
-        const std::int64_t steps = std::gcd(to.x - from.x, to.y - from.y);
-        const std::int64_t dx = (to.x - from.x) / steps;
-        const std::int64_t dy = (to.y - from.y) / steps;
-        const WideInteger offset = WideInteger(dx) * from.y - WideInteger(dy) * from.x;
-        ends_.push_back({dx, dy, offset, dx != 0 ? from.x : from.y, sign});
-        ends_.push_back({dx, dy, offset, dx != 0 ? to.x : to.y, -sign});
-    }
-
-    double gridUnitsPerDegree_;
     std::vector<RunEnd> ends_;
 };
 
 }  // namespace
 
-bool boundariesAddUp(const std::vector<Polygon> &whole, const std::vector<Polygon> &parts, double gridUnitsPerDegree)
+void Tiling::add(const Polygon &area, int sign)
 {
-    Boundaries boundaries(gridUnitsPerDegree);
-    boundaries.add(whole, 1);
-    boundaries.add(parts, -1);
-    return boundaries.cancel();
+    addRing(area.outer(), sign);
+    for (const Ring &hole : area.inners())
+        addRing(hole, -sign);
+}
+
+void Tiling::addRing(const Ring &ring, int sign)
+{
+    ring_.clear();
+    for (const Point &corner : ring)
+        ring_.push_back(onGrid(corner, gridUnitsPerDegree_));
+    const WideInteger twiceArea = twiceSignedArea(ring_);
+    twiceAreaDifference_ += sign * (twiceArea < 0 ? -twiceArea : twiceArea);
+
+    if ((twiceArea < 0) != (sign < 0))
+        std::reverse(ring_.begin(), ring_.end());
+    for (std::size_t i = 1; i < ring_.size(); ++i)
+        if (ring_[i - 1].x != ring_[i].x || ring_[i - 1].y != ring_[i].y)
+            steps_.add({ring_[i - 1], ring_[i]});
+}
+
+bool Tiling::boundariesAddUp() const
+{
+    Runs runs;
+    for (const OppositeSteps::Step &step : steps_.left())
+        runs.add(step.from, step.to);
+    return runs.cancel();
 }
 
 }  // namespace seahex

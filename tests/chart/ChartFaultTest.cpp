@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,55 @@ TEST(ChartFault, areasThatShareLinesButNotCornersTile)
     EXPECT_TRUE(chart.cells.at(0).groupOne.tiles);
     EXPECT_EQ(gapFraction(chart), 0.0);
     EXPECT_TRUE(chart.cells.at(0).warnings.empty()) << chart.cells.at(0).warnings.front();
+}
+
+TEST(ChartFault, stripsTileUnlessOneIsMissing)
+{
+    // Strips between two jagged lines: neighbours share all corners, in opposite order, and are stored in any order.
+    constexpr int STRIPS = 12;
+    constexpr int CORNERS = 40;
+    std::mt19937 random(7);
+    std::vector<std::vector<std::string>> lines;
+    for (int line = 0; line <= STRIPS; ++line)
+    {
+        std::vector<std::string> corners;
+        for (int i = 0; i <= CORNERS; ++i)
+        {
+            const bool isJagged = line > 0 && line < STRIPS && i > 0 && i < CORNERS;
+            const int north = 500000 + 100 * line + (isJagged ? static_cast<int>(random() % 80) : 0);
+            corners.push_back("10." + std::to_string(1000 + i) + " " + std::to_string(north / 10000) + "." +
+                              std::to_string(10000 + north % 10000).substr(1));
+        }
+        lines.push_back(corners);
+    }
+    const auto strip = [&lines](std::size_t south, std::size_t north)
+    {
+        std::string wkt = "POLYGON ((";
+        for (const std::string &corner : lines[south])
+            wkt += corner + ", ";
+        for (auto corner = lines[north].rbegin(); corner != lines[north].rend(); ++corner)
+            wkt += *corner + ", ";
+        return deepWater(wkt + lines[south].front() + "))");
+    };
+    std::vector<TestFeature> strips;
+    for (std::size_t i = 0; i < STRIPS; ++i)
+        strips.push_back(strip(i, i + 1));
+    std::shuffle(strips.begin(), strips.end(), random);
+    const std::vector<TestFeature> whole = {coverage(strip(0, STRIPS).wkt)};
+
+    const Chart sound = read({{"M_COVR", whole}, {"DEPARE", strips}});
+    EXPECT_EQ(sound.cells.at(0).groupOne.twiceAreaDifference, "0");
+    EXPECT_TRUE(sound.cells.at(0).groupOne.tiles);
+    EXPECT_TRUE(sound.cells.at(0).warnings.empty());
+
+    strips.pop_back();
+    const Chart gap = read({{"M_COVR", whole}, {"DEPARE", strips}});
+    EXPECT_FALSE(gap.cells.at(0).groupOne.tiles);
+    EXPECT_NEAR(gapFraction(gap), 1.0 / STRIPS, 0.05);
+    strips.push_back(strips.front());
+    const Chart twice = read({{"M_COVR", whole}, {"DEPARE", strips}});
+    EXPECT_FALSE(twice.cells.at(0).groupOne.tiles);
+    EXPECT_GT(gapFraction(twice), 0.0);
 }
 
 TEST(ChartFault, whatIsDeclaredToHoldNoDataIsTakenOutOfTheCoverage)
