@@ -2,6 +2,7 @@
 
 #include <seahex/chart/Chart.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ struct CellContents
     double gridUnitsPerDegree = 1e7;  ///< the grid on which its coordinates are whole numbers
 
     void warn(const std::string &sentence) { report.warnings.push_back(sentence); }
-    void skip(const std::string &reason, const std::string &objectClass) { ++report.skipped[reason][objectClass]; }
+    void skip(const std::string &reason, const std::string &objectClass, std::size_t count = 1)
+    {
+        if (count > 0)
+            report.skipped[reason][objectClass] += count;
+    }
 };
 
 /// The areas of the group 1 classes.

@@ -131,7 +131,7 @@ CellContents readS57Cell(const std::filesystem::path &path)
     {
         OGRLayer *layer = source.dataset->GetLayer(i);
         if (!isS57Bookkeeping(layer->GetName()))
-            LayerReader(*layer, layer->GetName(), messages, cell).read();
+            LayerReader(*layer, layer->GetName(), messages, cell, LayerReader::InDegrees{}).read();
     }
     if (const std::size_t count = unknownObjects(cell.report); count > 0)
         cell.warn(cell.report.name + " holds " + std::to_string(count) +

@@ -50,6 +50,11 @@ std::vector<double> textNumbers(const OGRFeature &feature, int index)
     return parseNumbers(joined);
 }
 
+std::string text(const OGRFeature &feature, int index)
+{
+    return index < 0 || !feature.IsFieldSetAndNotNull(index) ? std::string() : feature.GetFieldAsString(index);
+}
+
 std::vector<double> fieldNumbers(const OGRFeature &feature, int index)
 {
     int count = 0;
@@ -112,6 +117,9 @@ FeatureFields::FeatureFields(const OGRFeatureDefn &definition)
     for (const char *acronym : keptAttributes())
         if (const int index = indexOf(acronym); index >= 0)
             kept_.push_back({acronym, index});
+    longName_ = indexOf("LNAM");
+    record_ = indexOf("RCID");
+    name_ = indexOf("OBJNAM");
 }
 
 int FeatureFields::indexOf(const std::string &acronym) const
@@ -151,24 +159,18 @@ std::optional<int> FeatureFields::code(const OGRFeature &feature, const std::str
     return static_cast<int>(values.front());
 }
 
-std::string FeatureFields::text(const OGRFeature &feature, const std::string &acronym) const
-{
-    const int index = indexOf(acronym);
-    return index < 0 || !feature.IsFieldSetAndNotNull(index) ? std::string() : feature.GetFieldAsString(index);
-}
-
 std::string FeatureFields::id(const OGRFeature &feature) const
 {
-    if (std::string longName = text(feature, "LNAM"); !longName.empty())
+    if (std::string longName = text(feature, longName_); !longName.empty())
         return longName;
-    if (const std::string record = text(feature, "RCID"); !record.empty())
+    if (const std::string record = text(feature, record_); !record.empty())
         return "record " + record;
     return "fid " + std::to_string(feature.GetFID());
 }
 
 std::string FeatureFields::name(const OGRFeature &feature) const
 {
-    return text(feature, "OBJNAM");
+    return text(feature, name_);
 }
 
 }  // namespace seahex

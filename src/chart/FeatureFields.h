@@ -44,11 +44,13 @@ private:
         int index;
     };
 
-    std::string text(const OGRFeature &feature, const std::string &acronym) const;
     int indexOf(const std::string &acronym) const;
 
     std::vector<Field> kept_;  ///< in the order of keptAttributes()
     std::vector<Field> all_;
+    int longName_;
+    int record_;
+    int name_;
 };
 
 }  // namespace seahex

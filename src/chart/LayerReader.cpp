@@ -1,6 +1,5 @@
 #include "LayerReader.h"
 
-#include "OgrShape.h"
 #include "S57Classes.h"
 
 #include "seahex/chart/ChartError.h"
@@ -77,9 +76,15 @@ bool isWgs84Degrees(const OGRSpatialReference &frame, const OGRSpatialReference 
 
 }  // namespace
 
+LayerReader::LayerReader(OGRLayer &layer, std::string objectClass, DriverMessages &messages, CellContents &cell,
+                         InDegrees)
+    : layer_(layer), objectClass_(std::move(objectClass)), row_(findHazardClass(objectClass_)), messages_(messages),
+      cell_(cell), fields_(*layer.GetLayerDefn())
+{
+}
+
 LayerReader::LayerReader(OGRLayer &layer, std::string objectClass, DriverMessages &messages, CellContents &cell)
-    : layer_(layer), objectClass_(std::move(objectClass)), messages_(messages), cell_(cell),
-      fields_(*layer.GetLayerDefn())
+    : LayerReader(layer, std::move(objectClass), messages, cell, InDegrees{})
 {
     const OGRSpatialReference *frame = layer_.GetSpatialRef();
     if (frame == nullptr)
@@ -104,6 +109,14 @@ LayerReader::LayerReader(OGRLayer &layer, std::string objectClass, DriverMessage
 
 void LayerReader::read()
 {
+    // Nothing of the feature itself is asked for, so the driver need not make it.
+    if (!isJudged() && !isContour() && objectClass_ != "M_COVR" && objectClass_ != "M_UNIT" &&
+        layer_.TestCapability(OLCFastFeatureCount))
+    {
+        const auto count = static_cast<std::size_t>(std::max<GIntBig>(layer_.GetFeatureCount(), 0));
+        cell_.report.featuresRead += count;
+        return cell_.skip(whyNotJudged(), objectClass_, count);
+    }
     layer_.ResetReading();
     for (;;)
     {
@@ -116,21 +129,32 @@ void LayerReader::read()
     }
 }
 
-void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
+bool LayerReader::isContour() const
+{
+    return objectClass_ == "DEPCNT";
+}
+
+bool LayerReader::isJudged() const
+{
+    return row_ != nullptr && row_->rule != HazardRule::Ignored;
+}
+
+std::string LayerReader::whyNotJudged() const
+{
+    return row_ == nullptr ? seahex::whyNotJudged(objectClass_) : "ignored by rule";
+}
+
+void LayerReader::readFeature(const OGRFeature &feature, bool isBroken)
 {
     if (objectClass_ == "M_UNIT")
         readUnits(feature);
     const bool isCoverage = objectClass_ == "M_COVR";
-    const HazardClass *row = findHazardClass(objectClass_);
-    if (row == nullptr && !isCoverage)
-        return cell_.skip(whyNotJudged(objectClass_), objectClass_);
-    const bool isContour = objectClass_ == "DEPCNT";
-    if (row != nullptr && row->rule == HazardRule::Ignored && !isContour)
-        return cell_.skip("ignored by rule", objectClass_);
+    if (!isJudged() && !isCoverage && !isContour())
+        return cell_.skip(whyNotJudged(), objectClass_);
 
     const OGRGeometry *geometry = feature.GetGeometryRef();
     const bool empty = geometry == nullptr || geometry->IsEmpty();
-    const bool matters = isCoverage || canBlock(row->rule);
+    const bool matters = isCoverage || canBlock(row_->rule);
     if (matters && isBroken)
         throw ChartDamaged(who(feature) + " has a broken geometry: " + messages_.recent());
     if (matters && empty && isExpectedOnChart(feature))
@@ -140,17 +164,17 @@ void LayerReader::readFeature(OGRFeature &feature, bool isBroken)
 
     if (isCoverage)
         readCoverage(feature);
-    else if (isContour)
+    else if (isContour())
         readContour(feature);
-    else if (row->rule == HazardRule::Sounding)
-        readSounding(feature, *row);
+    else if (row_->rule == HazardRule::Sounding)
+        readSounding(feature);
     else
-        readHazard(feature, *row);
+        readHazard(feature);
 }
 
 void LayerReader::readCoverage(const OGRFeature &feature)
 {
-    std::vector<Polygon> areas = toShape(*geometryInDegrees(feature), who(feature)).areas;
+    std::vector<Polygon> areas = shapeOf(feature).areas;
     if (fields_.code(feature, "CATCOV") != COVERAGE_AVAILABLE)
     {
         std::move(areas.begin(), areas.end(), std::back_inserter(cell_.noData));
@@ -168,7 +192,7 @@ void LayerReader::readContour(const OGRFeature &feature)
     const std::vector<double> depth = fields_.numbers(feature, "VALDCO");
     if (depth.size() != 1 || !std::isfinite(depth.front()))
         return cell_.skip("contour without a depth (VALDCO)", objectClass_);
-    cell_.contours.push_back({depth.front(), toShape(*geometryInDegrees(feature), who(feature))});
+    cell_.contours.push_back({depth.front(), shapeOf(feature)});
     ++cell_.report.featuresUsed;
 }
 
@@ -180,15 +204,15 @@ void LayerReader::readUnits(const OGRFeature &feature)
                                std::to_string(*unit));
 }
 
-void LayerReader::readSounding(const OGRFeature &feature, const HazardClass &row)
+void LayerReader::readSounding(const OGRFeature &feature)
 {
-    const HazardObject whole = objectOf(feature, row);
+    const HazardObject whole = objectOf(feature);
     const bool hasField = whole.value("DEPTH").has_value();
-    for (const PointWithHeight &point : pointsOf(*geometryInDegrees(feature), who(feature)))
+    for (const PointWithHeight &point : pointsOf(*geometryInDegrees(feature), nameOf(feature)))
     {
         DraftHazard sounding{whole, {}};
         sounding.lonLat.points.push_back(point.position);
-        sounding.object.radiusM = row.pointRadiusM;
+        sounding.object.radiusM = row_->pointRadiusM;
         if (!hasField && point.hasHeight && std::isfinite(point.height))
             sounding.object.attributes.push_back({"DEPTH", {point.height}});
         cell_.hazards.push_back(std::move(sounding));
@@ -196,19 +220,25 @@ void LayerReader::readSounding(const OGRFeature &feature, const HazardClass &row
     ++cell_.report.featuresUsed;
 }
 
-void LayerReader::readHazard(const OGRFeature &feature, const HazardClass &row)
+void LayerReader::readHazard(const OGRFeature &feature)
 {
-    DraftHazard hazard{objectOf(feature, row), toShape(*geometryInDegrees(feature), who(feature))};
-    hazard.object.radiusM = radiusOf(hazard.lonLat, row);
+    DraftHazard hazard{objectOf(feature), shapeOf(feature)};
+    hazard.object.radiusM = radiusOf(hazard.lonLat, *row_);
     cell_.hazards.push_back(std::move(hazard));
     ++cell_.report.featuresUsed;
 }
 
-std::unique_ptr<OGRGeometry> LayerReader::geometryInDegrees(const OGRFeature &feature) const
+Shape LayerReader::shapeOf(const OGRFeature &feature) const
 {
-    std::unique_ptr<OGRGeometry> geometry(feature.GetGeometryRef()->clone());
+    return toShape(*geometryInDegrees(feature), nameOf(feature));
+}
+
+/// The feature's own geometry where it is in degrees already.
+std::shared_ptr<const OGRGeometry> LayerReader::geometryInDegrees(const OGRFeature &feature) const
+{
     if (!toDegrees_)
-        return geometry;
+        return std::shared_ptr<const OGRGeometry>(std::shared_ptr<void>(), feature.GetGeometryRef());
+    std::unique_ptr<OGRGeometry> geometry(feature.GetGeometryRef()->clone());
     if (longestEdge_ > 0.0)
     {
         if (geometry->hasCurveGeometry())
@@ -226,16 +256,24 @@ bool LayerReader::isExpectedOnChart(const OGRFeature &feature) const
     return fields_.code(feature, "PRIM").value_or(0) != NO_GEOMETRY;
 }
 
-HazardObject LayerReader::objectOf(const OGRFeature &feature, const HazardClass &row) const
+HazardObject LayerReader::objectOf(const OGRFeature &feature) const
 {
     HazardObject object;
     object.objectClass = objectClass_;
-    object.rule = row.rule;
+    object.rule = row_->rule;
     object.cell = cell_.report.name;
     object.featureId = fields_.id(feature);
     object.name = fields_.name(feature);
     object.attributes = fields_.attributes(feature);
     return object;
+}
+
+Who LayerReader::nameOf(const OGRFeature &feature) const
+{
+    return [this, &feature]
+    {
+        return who(feature);
+    };
 }
 
 std::string LayerReader::who(const OGRFeature &feature) const

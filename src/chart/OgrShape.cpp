@@ -13,28 +13,39 @@ namespace
 constexpr double MAX_LATITUDE_DEG = 90.0;
 constexpr double MAX_LONGITUDE_DEG = 360.0;
 
-Point checkedPoint(double longitudeDeg, double latitudeDeg, const std::string &who)
+/// What is not a number compares false.
+bool isPosition(double longitudeDeg, double latitudeDeg)
 {
-    const bool good = std::isfinite(longitudeDeg) && std::isfinite(latitudeDeg) &&
-                      std::abs(latitudeDeg) <= MAX_LATITUDE_DEG && std::abs(longitudeDeg) <= MAX_LONGITUDE_DEG;
-    if (!good)
-        throw ChartDamaged(who + " has a coordinate that is no position: longitude " + std::to_string(longitudeDeg) +
+    return std::abs(latitudeDeg) <= MAX_LATITUDE_DEG && std::abs(longitudeDeg) <= MAX_LONGITUDE_DEG;
+}
+
+Point checkedPoint(double longitudeDeg, double latitudeDeg, const Who &who)
+{
+    if (!isPosition(longitudeDeg, latitudeDeg))
+        throw ChartDamaged(who() + " has a coordinate that is no position: longitude " + std::to_string(longitudeDeg) +
                            ", latitude " + std::to_string(latitudeDeg) + " degrees");
     return Point(longitudeDeg, latitudeDeg);
 }
 
 template <class Path>
-Path pathOf(const OGRSimpleCurve &curve, const std::string &who)
+Path pathOf(const OGRSimpleCurve &curve, const Who &who)
 {
     Path path;
-    path.reserve(static_cast<std::size_t>(curve.getNumPoints()) + 1);
-    for (int i = 0; i < curve.getNumPoints(); ++i)
-        path.push_back(checkedPoint(curve.getX(i), curve.getY(i), who));
+    if (curve.IsEmpty())
+        return path;
+    const auto count = static_cast<std::size_t>(curve.getNumPoints());
+    path.reserve(count + 1);  // for the corner that closes a ring
+    path.resize(count);
+    constexpr int stride = sizeof(Point);
+    curve.getPoints(&path.front().x(), stride, &path.front().y(), stride);
+    for (const Point &p : path)
+        if (!isPosition(p.x(), p.y()))
+            checkedPoint(p.x(), p.y(), who);
     return path;
 }
 
 /// A ring, closed; or less than three corners, left for addDegenerate().
-Ring ringOf(const OGRLinearRing &curve, const std::string &who)
+Ring ringOf(const OGRLinearRing &curve, const Who &who)
 {
     Ring ring = pathOf<Ring>(curve, who);
     if (ring.size() > 1 && ring.front() != ring.back())
@@ -52,7 +63,7 @@ void addPath(LineString line, Shape &shape)
         shape.lines.push_back(std::move(line));
 }
 
-void addPolygon(const OGRPolygon &polygon, const std::string &who, Shape &shape)
+void addPolygon(const OGRPolygon &polygon, const Who &who, Shape &shape)
 {
     const OGRLinearRing *exterior = polygon.getExteriorRing();
     if (exterior == nullptr || exterior->IsEmpty())
@@ -75,18 +86,18 @@ void addPolygon(const OGRPolygon &polygon, const std::string &who, Shape &shape)
     shape.areas.push_back(std::move(area));
 }
 
-void addGeometry(const OGRGeometry &geometry, const std::string &who, Shape &shape);
+void addGeometry(const OGRGeometry &geometry, const Who &who, Shape &shape);
 
-void addCurved(const OGRGeometry &geometry, const std::string &who, Shape &shape)
+void addCurved(const OGRGeometry &geometry, const Who &who, Shape &shape)
 {
     const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry(ARC_STEP_DEG));
     if (!linear || linear->hasCurveGeometry())
         throw ChartUnsupported(
-            who + " has a curve of a kind that can't be made of straight pieces: " + geometry.getGeometryName());
+            who() + " has a curve of a kind that can't be made of straight pieces: " + geometry.getGeometryName());
     addGeometry(*linear, who, shape);
 }
 
-void addGeometry(const OGRGeometry &geometry, const std::string &who, Shape &shape)
+void addGeometry(const OGRGeometry &geometry, const Who &who, Shape &shape)
 {
     if (geometry.IsEmpty())
         return;
@@ -119,11 +130,11 @@ void addGeometry(const OGRGeometry &geometry, const std::string &who, Shape &sha
                 addPolygon(*part, who, shape);
             break;
         default:
-            throw ChartUnsupported(who + " has a geometry of an unknown kind: " + geometry.getGeometryName());
+            throw ChartUnsupported(who() + " has a geometry of an unknown kind: " + geometry.getGeometryName());
     }
 }
 
-void addPoints(const OGRGeometry &geometry, const std::string &who, std::vector<PointWithHeight> &points)
+void addPoints(const OGRGeometry &geometry, const Who &who, std::vector<PointWithHeight> &points)
 {
     if (geometry.IsEmpty())
         return;
@@ -141,7 +152,7 @@ void addPoints(const OGRGeometry &geometry, const std::string &who, std::vector<
                 addPoints(*part, who, points);
             break;
         default:
-            throw ChartDamaged(who + " is a sounding, but its geometry is no point: " + geometry.getGeometryName());
+            throw ChartDamaged(who() + " is a sounding, but its geometry is no point: " + geometry.getGeometryName());
     }
 }
 
@@ -165,14 +176,14 @@ std::unique_ptr<OGRPolygon> toOgr(const Polygon &area)
 
 }  // namespace
 
-Shape toShape(const OGRGeometry &geometry, const std::string &who)
+Shape toShape(const OGRGeometry &geometry, const Who &who)
 {
     Shape shape;
     addGeometry(geometry, who, shape);
     return shape;
 }
 
-std::vector<PointWithHeight> pointsOf(const OGRGeometry &geometry, const std::string &who)
+std::vector<PointWithHeight> pointsOf(const OGRGeometry &geometry, const Who &who)
 {
     std::vector<PointWithHeight> points;
     addPoints(geometry, who, points);
@@ -183,23 +194,6 @@ std::unique_ptr<OGRMultiPolygon> toOgr(const std::vector<Polygon> &areas)
 {
     auto all = std::make_unique<OGRMultiPolygon>();
     for (const Polygon &area : areas)
-        all->addGeometryDirectly(toOgr(area).release());
-    return all;
-}
-
-std::unique_ptr<OGRGeometryCollection> toOgr(const Shape &shape)
-{
-    auto all = std::make_unique<OGRGeometryCollection>();
-    for (const Point &point : shape.points)
-        all->addGeometryDirectly(new OGRPoint(point.x(), point.y()));
-    for (const LineString &line : shape.lines)
-    {
-        auto copy = std::make_unique<OGRLineString>();
-        for (const Point &point : line)
-            copy->addPoint(point.x(), point.y());
-        all->addGeometryDirectly(copy.release());
-    }
-    for (const Polygon &area : shape.areas)
         all->addGeometryDirectly(toOgr(area).release());
     return all;
 }

@@ -4,6 +4,7 @@
 
 #include <ogr_geometry.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,20 +23,22 @@ struct PointWithHeight
     double height = 0.0;
 };
 
+/// Names the object in a message. Asked only if there is a message, because a name takes longer to make than most
+/// objects to read.
+using Who = std::function<std::string()>;
+
 /// The geometry as a Shape in the coordinates it has. Curves are linearised, collections flattened, heights dropped.
 ///
 /// Degenerate parts lose nothing: a line of one point becomes a point, a ring of less than three corners a line. Rings
 /// are closed if they are not.
-/// @param who  names the object in a message
 /// @throws ChartDamaged if a coordinate is no longitude or latitude; ChartUnsupported for a geometry of unknown kind
-Shape toShape(const OGRGeometry &geometry, const std::string &who);
+Shape toShape(const OGRGeometry &geometry, const Who &who);
 
 /// All points of a point or of any collection of points.
 /// @throws ChartDamaged as above, and if the geometry holds anything but points
-std::vector<PointWithHeight> pointsOf(const OGRGeometry &geometry, const std::string &who);
+std::vector<PointWithHeight> pointsOf(const OGRGeometry &geometry, const Who &who);
 
-/// The areas, or the whole shape, as OGR has them.
+/// The areas as OGR has them.
 std::unique_ptr<OGRMultiPolygon> toOgr(const std::vector<Polygon> &areas);
-std::unique_ptr<OGRGeometryCollection> toOgr(const Shape &shape);
 
 }  // namespace seahex

@@ -21,7 +21,7 @@ std::unique_ptr<OGRGeometry> united(const std::vector<Polygon> &areas)
     for (const OGRPolygon *part : *parts)
         if (OGRGeometry *made = part->MakeValid())
             valid.addGeometryDirectly(made);
-    const std::vector<Polygon> mended = toShape(valid, "an area made valid").areas;
+    const std::vector<Polygon> mended = toShape(valid, [] { return "an area made valid"; }).areas;
     return std::unique_ptr<OGRGeometry>(toOgr(mended)->UnionCascaded());
 }
 
@@ -32,7 +32,7 @@ std::vector<Polygon> unite(const std::vector<Polygon> &areas)
     if (areas.size() < 2)
         return areas;
     const std::unique_ptr<OGRGeometry> whole = united(areas);
-    return whole ? toShape(*whole, "the union of areas").areas : std::vector<Polygon>();
+    return whole ? toShape(*whole, [] { return "the union of areas"; }).areas : std::vector<Polygon>();
 }
 
 bool subtract(const std::vector<Polygon> &areas, const std::vector<Polygon> &others, double widthDeg,
@@ -47,7 +47,7 @@ bool subtract(const std::vector<Polygon> &areas, const std::vector<Polygon> &oth
         return false;
 
     rest.clear();
-    for (Polygon &part : toShape(*difference, "the difference of areas").areas)
+    for (Polygon &part : toShape(*difference, [] { return "the difference of areas"; }).areas)
     {
         const std::unique_ptr<OGRGeometry> core(toOgr(std::vector<Polygon>{part})->Buffer(-0.5 * widthDeg));
         if (!core || !core->IsEmpty())
@@ -59,7 +59,7 @@ bool subtract(const std::vector<Polygon> &areas, const std::vector<Polygon> &oth
 bool overlap(const std::vector<Polygon> &a, const std::vector<Polygon> &b)
 {
     const std::unique_ptr<OGRGeometry> common(toOgr(a)->Intersection(toOgr(b).get()));
-    return common && areaDeg2(toShape(*common, "the intersection of coverages").areas) > 0.0;
+    return common && areaDeg2(toShape(*common, [] { return "the intersection of coverages"; }).areas) > 0.0;
 }
 
 bool isSimple(const std::vector<Polygon> &areas)
