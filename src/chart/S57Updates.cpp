@@ -2,9 +2,10 @@
 
 #include "seahex/chart/ChartError.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
-#include <map>
+#include <string>
 #include <system_error>
 
 namespace seahex
@@ -14,51 +15,48 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int MAX_UPDATE = 999;
-
 /// An edition number of 0 in an update cancels the cell.
 constexpr const char *CANCELLED = "0";
 
-std::string extensionOf(int update)
+constexpr std::size_t DIGITS = 3;
+
+/// The number that a text of digits is; 0 if it is none.
+int numberOf(const std::string &text)
 {
-    char extension[8];
-    std::snprintf(extension, sizeof extension, ".%03d", update);
-    return extension;
+    const bool isNumber = !text.empty() && text.size() <= DIGITS &&
+                          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return isNumber ? std::atoi(text.c_str()) : 0;
 }
 
-/// Updates lie beside the cell, or in folders of their own: NAME/0/NAME.000, NAME/1/NAME.001. The driver knows both.
-std::map<int, fs::path> findUpdates(const fs::path &cell)
+std::string extensionOf(int update)
 {
-    std::map<int, fs::path> updates;
+    std::string digits = std::to_string(update);
+    return "." + std::string(DIGITS - digits.size(), '0') + digits;
+}
+
+/// Calls for every entry of a folder; for none if it can't be read.
+template <class Visit>
+void forEachEntry(const fs::path &folder, Visit &&visit)
+{
     std::error_code error;
-    for (int number = 1; number <= MAX_UPDATE; ++number)
-    {
-        fs::path beside = cell;
-        beside.replace_extension(extensionOf(number));
-        const fs::path inFolder = cell.parent_path() / ".." / std::to_string(number) / beside.filename();
-        if (fs::is_regular_file(beside, error))
-            updates.emplace(number, beside);
-        else if (fs::is_regular_file(inFolder, error))
-            updates.emplace(number, inFolder);
-    }
-    return updates;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+         entry.increment(error))
+        visit(entry->path());
 }
 
 S57Header readUpdate(const fs::path &path, int number)
 {
-    const std::string file = path.filename().string();
     const DriverMessages messages;
     const GdalDataset dataset =
         openVector(path.string(), {"S57"}, {"UPDATES=IGNORE", "RETURN_PRIMITIVES=ON", "SPLIT_MULTIPOINT=OFF"});
     if (!dataset)
         throw ChartDamaged("update '" + path.string() + "' can't be read as S-57: " + messages.last());
-
-    S57Header header = readS57Header(*dataset, path.string());
+    const S57Header header = readS57Header(*dataset, path.string());
+    const S57Counts counts = countS57Records(*dataset);
     if (header.updateNumber != number)
         throw ChartDamaged("update '" + path.string() + "' says that it is number " +
                            std::to_string(header.updateNumber) + ", but its name says " + std::to_string(number));
     // Updates made by some tools count insertions only, so more records than promised are no damage.
-    const S57Counts counts = countS57Records(*dataset);
     if (counts.features < header.promisedFeatures || counts.spatials < header.promisedSpatials)
         throw ChartDamaged("update '" + path.string() + "' holds " + std::to_string(counts.features) + " of " +
                            std::to_string(header.promisedFeatures) + " feature records and " +
@@ -85,12 +83,39 @@ bool isOfEdition(const S57Header &base, const S57Header &update, const fs::path 
 
 }  // namespace
 
-S57UpdatePlan planS57Updates(const fs::path &cell, const S57Header &base)
+S57UpdateFiles findS57Updates(const fs::path &cell)
+{
+    S57UpdateFiles updates;
+    std::error_code error;
+    const fs::path folder = cell.parent_path();
+    forEachEntry(folder,
+                 [&](const fs::path &entry)
+                 {
+                     const std::string extension = entry.extension().string();
+                     const int number = extension.size() == DIGITS + 1 ? numberOf(extension.substr(1)) : 0;
+                     if (number > 0 && entry.stem() == cell.stem() && fs::is_regular_file(entry, error))
+                         updates.emplace(number, folder / entry.filename());
+                 });
+    forEachEntry(folder / "..",
+                 [&](const fs::path &entry)
+                 {
+                     const int number = numberOf(entry.filename().string());
+                     if (number == 0 || entry.filename() != std::to_string(number))
+                         return;
+                     fs::path update = folder / ".." / entry.filename() / cell.filename();
+                     update.replace_extension(extensionOf(number));
+                     if (fs::is_regular_file(update, error))
+                         updates.emplace(number, update);
+                 });
+    return updates;
+}
+
+S57UpdatePlan planS57Updates(const fs::path &cell, const S57Header &base, const S57UpdateFiles &updates)
 {
     S57UpdatePlan plan;
     int next = base.updateNumber + 1;
     bool inSequence = true;
-    for (const auto &[number, path] : findUpdates(cell))
+    for (const auto &[number, path] : updates)
     {
         if (number < next)
         {

@@ -115,6 +115,41 @@ TEST_F(DamagedCell, cutBetweenRecordsIsRefused)
     expectError<ChartDamaged>(cell_, "holds 236 of 237 feature records: the file is cut or damaged");
 }
 
+TEST_F(DamagedCell, cutBesideAnUpdateIsRefused)
+{
+    // The base is then not read by itself, and its loss must not be taken for the update's doing.
+    writeBytes(update(1), updateBytes(1));
+    const std::vector<std::size_t> starts = recordStarts(bytes_);
+    for (std::size_t records = 1; records + 1 < starts.size(); records += records < 20 ? 1 : 37)
+    {
+        writeBytes(cell_, bytes_.substr(0, starts[records]));
+        EXPECT_THROW(readChart(cell_.string()), ChartDamaged) << records << " records";
+    }
+    writeBytes(cell_, bytes_.substr(0, starts[starts.size() - 2]));
+    expectError<ChartDamaged>(cell_, "holds 236 of 237 feature records: the file is cut or damaged");
+    writeBytes(cell_, bytes_.substr(0, starts[20]) + bytes_.substr(starts[21]));
+    expectError<ChartDamaged>(cell_, "spatial records");
+    writeBytes(cell_, bytes_.substr(0, bytes_.size() - 2));
+    EXPECT_THROW(readChart(cell_.string()), ChartError);
+    writeBytes(cell_, bytes_ + "x");
+    EXPECT_THROW(readChart(cell_.string()), ChartError);
+    writeBytes(cell_, bytes_);
+    EXPECT_EQ(readChart(cell_.string()).cells.at(0).update, 1);
+}
+
+TEST_F(DamagedCell, withARecordTwiceIsRefused)
+{
+    const std::vector<std::size_t> starts = recordStarts(bytes_);
+    const std::string node = bytes_.substr(starts[20], starts[21] - starts[20]);
+    for (const bool withUpdate : {false, true})
+    {
+        if (withUpdate)
+            writeBytes(update(1), updateBytes(1));
+        writeBytes(cell_, bytes_.substr(0, starts[20]) + node + bytes_.substr(starts[20]));
+        expectError<ChartDamaged>(cell_, "spatial records");
+    }
+}
+
 TEST_F(DamagedCell, withoutASpatialRecordIsRefused)
 {
     const std::vector<std::size_t> starts = recordStarts(bytes_);
