@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace bg = boost::geometry;
 
@@ -125,7 +126,7 @@ std::shared_ptr<const LatticeOccupancy<KnownLattice>> ChartArena::fillCells(cons
     for (std::size_t i = 0; i < hazards_.size(); ++i)
         if (verdicts_[i].blocks())
             builder.block(hazards_[i].shape, inPlane(radius(i) + growthM));
-    return builder.build();
+    return std::move(builder).build();
 }
 
 std::shared_ptr<const HexOccupancy> ChartArena::fill(const HexLattice &lattice) const

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace seahex
 {
@@ -97,9 +98,15 @@ void OccupancyBuilder<KnownLattice>::blockOutside(const std::vector<Polygon> &ar
 }
 
 template <class KnownLattice>
-std::shared_ptr<const LatticeOccupancy<KnownLattice>> OccupancyBuilder<KnownLattice>::build() const
+std::shared_ptr<const LatticeOccupancy<KnownLattice>> OccupancyBuilder<KnownLattice>::build() const &
 {
     return std::make_shared<const LatticeOccupancy<KnownLattice>>(lattice_, bits_.layout(), bits_.words());
+}
+
+template <class KnownLattice>
+std::shared_ptr<const LatticeOccupancy<KnownLattice>> OccupancyBuilder<KnownLattice>::build() &&
+{
+    return std::make_shared<const LatticeOccupancy<KnownLattice>>(lattice_, bits_.layout(), std::move(bits_.words()));
 }
 
 template class OccupancyBuilder<HexLattice>;

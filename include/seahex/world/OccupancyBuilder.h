@@ -37,8 +37,9 @@ public:
     /// @throws std::domain_error if a coordinate is not a number
     void blockOutside(const std::vector<Polygon> &areas, double radius);
 
-    /// The occupancy of what was blocked so far.
-    std::shared_ptr<const LatticeOccupancy<KnownLattice>> build() const;
+    /// The occupancy of what was blocked so far. A builder that is given away gives its memory with it.
+    std::shared_ptr<const LatticeOccupancy<KnownLattice>> build() const &;
+    std::shared_ptr<const LatticeOccupancy<KnownLattice>> build() &&;
 
 private:
     void blockNear(const Point &a, const Point &b, double radius);
