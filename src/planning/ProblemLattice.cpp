@@ -6,6 +6,7 @@
 
 #include <ompl/util/Exception.h>
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <typeinfo>
@@ -72,7 +73,8 @@ std::shared_ptr<const Occupancy> withinBounds(const std::shared_ptr<const Occupa
         return !box.contains(lattice.centre({column, row}));
     };
     CellBits bits(occupancy->layout());
-    bits.words() = occupancy->words();
+    const CellWords &words = occupancy->words();
+    bits.words().assign(words.begin(), words.end());
     for (std::int64_t row = 0; row < lattice.rows(); ++row)
     {
         std::int64_t first = 0;
@@ -84,7 +86,7 @@ std::shared_ptr<const Occupancy> withinBounds(const std::shared_ptr<const Occupa
         bits.setSpan(row, 0, first - 1);
         bits.setSpan(row, last + 1, lattice.columns() - 1);
     }
-    if (bits.words() == occupancy->words())
+    if (std::equal(words.begin(), words.end(), bits.words().begin()))
         return occupancy;
     if (lattice.hexagons() != nullptr)
         return std::make_shared<const HexOccupancy>(*lattice.hexagons(), occupancy->layout(), std::move(bits.words()));

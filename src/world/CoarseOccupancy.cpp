@@ -37,7 +37,7 @@ std::vector<Span> touching(std::int64_t factor)
 }
 
 /// Is any of the bits from first to last set?
-bool anySet(const std::vector<std::uint64_t> &words, CellIndex first, CellIndex last)
+bool anySet(const CellWords &words, CellIndex first, CellIndex last)
 {
     const std::uint64_t head = ~std::uint64_t{0} << (first & 63);
     const std::uint64_t tail = ~std::uint64_t{0} >> (63 - (last & 63));

@@ -7,7 +7,7 @@
 namespace seahex
 {
 
-Occupancy::Occupancy(const Lattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words)
+Occupancy::Occupancy(const Lattice &lattice, const CellLayout &layout, CellWords words)
     : lattice_(lattice), layout_(layout), words_(std::move(words)), blockedCount_(0)
 {
     if (words_.size() != layout_.wordCount() || layout_.columns() != lattice_.columns() ||

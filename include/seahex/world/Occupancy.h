@@ -2,9 +2,10 @@
 
 #include <seahex/geometry/CellLayout.h>
 #include <seahex/geometry/Lattice.h>
+#include <seahex/world/CellWords.h>
 
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 namespace seahex
 {
@@ -19,7 +20,7 @@ class Occupancy
 public:
     /// @param words  one bit a cell in the order of `layout`, 1 = blocked; the frame's bits must be set
     /// @throws std::length_error if the three do not fit each other
-    Occupancy(const Lattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words);
+    Occupancy(const Lattice &lattice, const CellLayout &layout, CellWords words);
     virtual ~Occupancy() = default;
 
     const Lattice &lattice() const { return lattice_; }
@@ -32,7 +33,7 @@ public:
     bool isBlockedAt(CellIndex index) const { return (words_[index >> 6] >> (index & 63)) & 1; }
 
     /// The bits, in the order of layout().
-    const std::vector<std::uint64_t> &words() const { return words_; }
+    const CellWords &words() const { return words_; }
 
     /// Number of blocked cells of the rectangle.
     std::int64_t blockedCount() const { return blockedCount_; }
@@ -40,7 +41,7 @@ public:
 private:
     Lattice lattice_;
     CellLayout layout_;
-    std::vector<std::uint64_t> words_;
+    CellWords words_;
     std::int64_t blockedCount_;
 };
 
@@ -51,7 +52,7 @@ class LatticeOccupancy : public Occupancy
 public:
     using Cell = typename KnownLattice::Cell;
 
-    LatticeOccupancy(const KnownLattice &lattice, const CellLayout &layout, std::vector<std::uint64_t> words)
+    LatticeOccupancy(const KnownLattice &lattice, const CellLayout &layout, CellWords words)
         : Occupancy(lattice, layout, std::move(words)), lattice_(lattice)
     {
     }
