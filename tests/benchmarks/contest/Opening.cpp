@@ -17,7 +17,8 @@ namespace
 bool isRead(const std::string &layer)
 {
     const HazardClass *found = findHazardClass(layer);
-    return layer == "M_COVR" || (found != nullptr && (found->rule != HazardRule::Ignored || found->groupOne));
+    return layer == "M_COVR" || layer == "DEPCNT" ||
+           (found != nullptr && (found->rule != HazardRule::Ignored || found->groupOne));
 }
 
 }  // namespace
