@@ -1,9 +1,9 @@
 // LengthSearch against Dijkstra's algorithm on an explicit graph, and its parts by themselves.
 
 #include <seahex/geometry/HexNorm.h>
-#include <seahex/geometry/HexTraversal.h>
 #include <seahex/search/LengthSearch.h>
 
+#include "search/LengthWorlds.h"
 #include "support/AsciiWorld.h"
 #include "support/CellOracle.h"
 #include "support/ExplicitGraph.h"
@@ -26,8 +26,6 @@ namespace
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-using World = std::shared_ptr<const HexOccupancy>;
-
 /// The least lengths from one cell to all others, by Dijkstra's algorithm.
 class LeastLengths
 {
@@ -47,30 +45,6 @@ private:
     ExplicitGraph graph_;
 };
 
-/// Is this a chain of valid jumps between the two, of this length?
-void expectChain(const LengthSearch &search, const HexOccupancy &occupancy, int rings, HexCoord start, HexCoord goal)
-{
-    const std::vector<CellIndex> path = search.path();
-    ASSERT_FALSE(path.empty());
-    EXPECT_EQ(search.layout().cell(path.front()), start);
-    EXPECT_EQ(search.layout().cell(path.back()), goal);
-    double length = 0.0;
-    for (std::size_t i = 1; i < path.size(); ++i)
-    {
-        const HexCoord from = search.layout().cell(path[i - 1]);
-        const HexCoord to = search.layout().cell(path[i]);
-        EXPECT_LE(hexDistance(from, to), rings);
-        forEachTouchedCell(from, to,
-                           [&](HexCoord cell)
-                           {
-                               EXPECT_TRUE(occupancy.isFree(cell));
-                               return true;
-                           });
-        length += (occupancy.lattice().centre(to) - occupancy.lattice().centre(from)).norm();
-    }
-    EXPECT_NEAR(length, search.cost() * occupancy.lattice().pitch(), 1e-9 * (1.0 + length));
-}
-
 /// Solves and compares with the oracle.
 void expectShortest(LengthSearch &search, const HexOccupancy &occupancy, const LeastLengths &least, int rings,
                     HexCoord start, HexCoord goal)
@@ -85,41 +59,7 @@ void expectShortest(LengthSearch &search, const HexOccupancy &occupancy, const L
     const double pitches = expected;
     EXPECT_NEAR(search.cost(), pitches, 1e-8 * (1.0 + pitches)) << toPicture(occupancy);
     EXPECT_NEAR(search.lowerBound(), pitches, 1e-8 * pitches);
-    expectChain(search, occupancy, rings, start, goal);
-}
-
-/// Worlds of any density: mazes, dense noise, open water.
-World randomWorld(Random &random)
-{
-    const HexLattice lattice(Point(5.0, 7.0), 2.0, random.integer(1, 60), random.integer(1, 24));
-    return randomOccupancy(random, lattice, random.chance(0.3) ? 0.05 : random.real(0.0, 0.5));
-}
-
-/// Round islands in open water.
-World amongIslands(Random &random, std::int64_t columns, std::int64_t rows)
-{
-    const HexLattice lattice(Point::Zero(), 1.0, columns, rows);
-    std::vector<HexCoord> islands;
-    for (int i = 0; i < 12; ++i)
-    {
-        const Point middle = lattice.centre(random.cellOf(lattice));
-        const double radius = random.real(1.0, 0.12 * static_cast<double>(columns));
-        forEachCell(lattice, 0,
-                    [&](HexCoord cell)
-                    {
-                        if ((lattice.centre(cell) - middle).norm() < radius)
-                            islands.push_back(cell);
-                    });
-    }
-    return occupancyWith(lattice, islands);
-}
-
-HexCoord freeCell(Random &random, const HexOccupancy &occupancy)
-{
-    for (int tries = 0; tries < 1000; ++tries)
-        if (const HexCoord cell = random.cellOf(occupancy.lattice()); occupancy.isFree(cell))
-            return cell;
-    return {0, 0};
+    expectChain(search.path(), search.cost(), occupancy, rings, start, goal);
 }
 
 }  // namespace
@@ -397,4 +337,27 @@ TEST(LabelStore, ForgetsWhatWasTouched)
             EXPECT_FALSE(store.isReached(cell) || store.isExpanded(cell));
         EXPECT_TRUE(store.touchedWords().empty());
     }
+}
+
+TEST(LabelStore, ForgetsSingleCellsAndListsAWordOnce)
+{
+    LabelStoreOf<std::uint64_t> store(64 * 20);
+    for (int round = 0; round < 3; ++round)
+    {
+        store.markReached(130);
+        store.setLabel(130, std::uint64_t{1} << 40);
+        store.markReached(131);
+        store.markExpanded(131);
+        EXPECT_EQ(store.openWord(2), std::uint64_t{1} << 2);
+        EXPECT_EQ(store.label(130), std::uint64_t{1} << 40);
+        store.forget(131);
+        EXPECT_TRUE(store.isReached(130));
+        EXPECT_FALSE(store.isReached(131) || store.isExpanded(131));
+        store.forget(130);
+        EXPECT_EQ(store.reachedWord(2), 0U);
+    }
+    EXPECT_EQ(store.touchedWords(), std::vector<std::uint32_t>{2});
+    store.clear();
+    store.markReached(130);
+    EXPECT_EQ(store.touchedWords(), std::vector<std::uint32_t>{2});
 }
