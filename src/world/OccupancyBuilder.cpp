@@ -43,6 +43,13 @@ OccupancyBuilder<KnownLattice>::OccupancyBuilder(const KnownLattice &lattice)
 }
 
 template <class KnownLattice>
+OccupancyBuilder<KnownLattice>::OccupancyBuilder(const LatticeOccupancy<KnownLattice> &occupancy)
+    : lattice_(occupancy.lattice()), cells_(lattice_), bits_(occupancy.layout()), fill_(lattice_)
+{
+    bits_.words() = occupancy.words();
+}
+
+template <class KnownLattice>
 void OccupancyBuilder<KnownLattice>::blockNear(const Point &a, const Point &b, double radius)
 {
     const SegmentSpans spans(cells_, a, b, radius);

@@ -342,6 +342,10 @@ TYPED_TEST(OccupancyBuilderOf, shapesAddUp)
         const auto one = blockedBy(lattice, first, 0.0);
         const auto other = blockedBy(lattice, second, 0.7);
         EXPECT_EQ(before->words(), one->words()) << "what was built does not change any more";
+        OccupancyBuilder onTop(*before);
+        onTop.block(second, 0.7);
+        EXPECT_EQ(onTop.build()->words(), both->words());
+        EXPECT_TRUE(onTop.build()->lattice() == lattice);
         forEachCell(lattice, 0,
                     [&](typename TypeParam::Cell cell)
                     { ASSERT_EQ(both->isBlocked(cell), one->isBlocked(cell) || other->isBlocked(cell)); });

@@ -25,6 +25,9 @@ class OccupancyBuilder
 {
 public:
     explicit OccupancyBuilder(const KnownLattice &lattice);
+    /// Begins with all that another occupancy blocks: a chart's, say, to which a hazard is added that was reported on
+    /// the way. Once that is gone, begin again without it.
+    explicit OccupancyBuilder(const LatticeOccupancy<KnownLattice> &occupancy);
 
     /// Blocks every cell within `radius` of the shape (points, lines, filled areas).
     /// @param radius  >= 0, in the plane's unit
