@@ -44,15 +44,21 @@ LengthTree::LengthTree(std::shared_ptr<const Occupancy> occupancy, int rings)
     }
 }
 
-void LengthTree::plant(HexCoord root)
+void LengthTree::clear()
 {
     store_.clear();
     counters_ = {};
     cutOff_ = 0;
-    root_ = root;
+    root_.reset();
     aim_.reset();
     isOpenStale_ = true;
     passed_ = -1;
+}
+
+void LengthTree::plant(HexCoord root)
+{
+    clear();
+    root_ = root;
     if (!isFreeCell(root))
         return;
     const CellIndex cell = layout_.index(root);
@@ -68,7 +74,7 @@ bool LengthTree::isFreeCell(HexCoord cell) const
 
 SearchStatus LengthTree::growTo(HexCoord target, const std::function<bool()> &stop, std::uint64_t pollInterval)
 {
-    if (!isFreeCell(target))
+    if (!root_ || !isFreeCell(target))
         return SearchStatus::Exhausted;
     const CellIndex cell = layout_.index(target);
     if (isKnown(cell))

@@ -13,6 +13,11 @@ Replanner::Replanner(std::shared_ptr<const Occupancy> occupancy, int rings)
 
 void Replanner::setOccupancy(const std::shared_ptr<const Occupancy> &occupancy)
 {
+    // a tree that grows from an end of old is not worth its repair
+    if (ends_ && fromGoal_.root() != ends_->goal)
+        fromGoal_.clear();
+    if (fromStart_ && fromStart_->root() != ends_->start)
+        fromStart_->clear();
     fromGoal_.setOccupancy(occupancy);
     if (fromStart_)
         fromStart_->setOccupancy(occupancy);

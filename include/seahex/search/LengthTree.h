@@ -57,6 +57,8 @@ public:
     /// Begins anew from another root, a cell of the lattice; if it is blocked, nothing is reached until it is freed.
     void plant(HexCoord root);
     const std::optional<HexCoord> &root() const { return root_; }
+    /// Without a root; nothing is reached.
+    void clear();
 
     /// Takes another occupancy of the same lattice in the place of the one before, and repairs the tree. Time: a pass
     /// over both occupancies' words, and what changes in the tree.
