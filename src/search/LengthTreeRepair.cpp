@@ -16,8 +16,8 @@ void LengthTree::setOccupancy(std::shared_ptr<const Occupancy> occupancy)
         return;
     if (occupancy->layout().columns() != layout_.columns() || occupancy->layout().rows() != layout_.rows())
         throw std::length_error("the changed occupancy is not of the same lattice");
-    const std::vector<std::uint64_t> &before = occupancy_->words();
-    const std::vector<std::uint64_t> &now = occupancy->words();
+    const CellWords before = occupancy_->words();
+    const CellWords now = occupancy->words();
     bool isAnyFreed = false;
     for (std::size_t word = 0; word < now.size(); ++word)
         if (const std::uint64_t changed = before[word] ^ now[word])

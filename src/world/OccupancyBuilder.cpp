@@ -46,7 +46,7 @@ template <class KnownLattice>
 OccupancyBuilder<KnownLattice>::OccupancyBuilder(const LatticeOccupancy<KnownLattice> &occupancy)
     : lattice_(occupancy.lattice()), cells_(lattice_), bits_(occupancy.layout()), fill_(lattice_)
 {
-    bits_.words() = occupancy.words();
+    bits_.words().assign(occupancy.words().begin(), occupancy.words().end());
 }
 
 template <class KnownLattice>

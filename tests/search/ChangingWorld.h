@@ -39,7 +39,7 @@ class ChangingWorld
 public:
     explicit ChangingWorld(const HexOccupancy &occupancy) : lattice_(occupancy.lattice()), bits_(occupancy.layout())
     {
-        bits_.words() = occupancy.words();
+        bits_.words().assign(occupancy.words().begin(), occupancy.words().end());
         occupancy_ = std::make_shared<const HexOccupancy>(occupancy);
     }
 

@@ -110,7 +110,7 @@ void compareMatrices(const Cells &cells, const std::vector<Query> &drawn)
 /// The same cells with a round hazard.
 Cells withHazard(const Cells &cells, HexCoord middle, std::int64_t radius)
 {
-    std::vector<std::uint64_t> words = cells->words();
+    std::vector<std::uint64_t> words(cells->words().begin(), cells->words().end());
     for (std::int64_t s = -radius; s <= radius; ++s)
         for (std::int64_t q = -radius; q <= radius; ++q)
             if (const HexCoord cell = middle + HexCoord{q, s};
