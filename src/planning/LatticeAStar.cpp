@@ -73,6 +73,7 @@ void LatticeAStar::setGuidance(Guidance guidance)
 {
     guidance_ = guidance;
     forgetSearch();
+    setup_ = false;
 }
 
 void LatticeAStar::setGuidance(const std::string &name)

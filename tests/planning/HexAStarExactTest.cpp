@@ -138,4 +138,19 @@ TEST(HexAStarExact, IsLeftOutWhereItIsNotAskedForOrDoesNotHold)
     EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setGuidance(Guidance::Distance); }));
 }
 
+TEST(HexAStarExact, GuidanceMayBeChangedAndChangedBack)
+{
+    Random random(8);
+    const auto world = randomOccupancy(random, HexLattice(Point::Zero(), 1.0, 30, 30), 0.15);
+    const auto problem = problemBetween(chartSpace(world), freePoint(random, *world), freePoint(random, *world));
+    HexAStar planner(problem->getSpaceInformation());
+    planner.setProblemDefinition(problem);
+    for (const Guidance guidance : {Guidance::Distance, Guidance::Automatic, Guidance::None, Guidance::Automatic})
+    {
+        planner.setGuidance(guidance);
+        ASSERT_TRUE(planner.solve(20.0));
+        EXPECT_EQ(planner.isProvenShortest(), guidance == Guidance::Automatic);
+    }
+}
+
 }  // namespace seahex::test
