@@ -3,6 +3,7 @@
 #include "planning/ChartSearches.h"
 #include "seahex/planning/AdmissibleHeuristic.h"
 #include "seahex/planning/PlanarEmbedding.h"
+#include "seahex/world/SegmentValidity.h"
 
 #include <ompl/base/ScopedState.h>
 
@@ -43,7 +44,7 @@ void AnytimeSearch::planSteps()
             steps_.push_back(Step::Shorten);
     };
     steps_.clear();
-    const bool isExact = settings_.exact && isPlainLength();
+    const bool isExact = settings_.exact && isPlainLength() && endsAreClear();
     levelsLeft_ = 0;
     areStepsBegun_ = false;
     if (settings_.anytime && isPlainLength())
@@ -74,7 +75,7 @@ void AnytimeSearch::begin(std::vector<const ob::State *> starts, std::vector<con
     starts_ = std::move(starts);
     goals_ = std::move(goals);
     comparedPairs_ = 0;
-    isProven_ = false;
+    isShortest_ = false;
     planSteps();
     step_ = 0;
     isInStep_ = false;
@@ -87,7 +88,7 @@ void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
 {
     if (!compareDirectly(stop))
         return;
-    while (step_ < steps_.size() && !isProven_ && !(best_ && ground_.objective->isSatisfied(bestCost_)))
+    while (step_ < steps_.size() && !isShortest_ && !(best_ && ground_.objective->isSatisfied(bestCost_)))
     {
         if (!take(steps_[step_], stop))
             return;
@@ -98,7 +99,7 @@ void AnytimeSearch::work(const ob::PlannerTerminationCondition &stop)
 
 PlanningOutcome AnytimeSearch::outcome() const
 {
-    const bool isDone = step_ >= steps_.size() || isProven_;
+    const bool isDone = step_ >= steps_.size() || isShortest_;
     if (best_)
         return isDone ? PlanningOutcome::Found : PlanningOutcome::Improvable;
     if (!isDone)
@@ -259,7 +260,7 @@ bool AnytimeSearch::prove(const ob::PlannerTerminationCondition &stop)
     if (const Route route = taut.route(); !route.waypoints().empty())
         offer(pathThrough(route.waypoints()));
     board_.raiseLowerBound(taut.lowerBound() * unit);
-    isProven_ = best_ && taut.isOptimal(bestCost_.value() / unit);
+    isShortest_ = best_ && taut.isOptimal(bestCost_.value() / unit);
     return true;
 }
 
@@ -275,6 +276,15 @@ bool AnytimeSearch::endCellsAreFree() const
 {
     const auto [start, goal] = endCells();
     return ground_.occupancy->isFree(toOffset(start)) && ground_.occupancy->isFree(toOffset(goal));
+}
+
+/// Do start and goal touch no cell that is left out? TautSearch knows no path from one that does.
+bool AnytimeSearch::endsAreClear() const
+{
+    const PlanarEmbedding embedding(ground_.si->getStateSpace().get());
+    const Point start = embedding.position(starts_.front());
+    const Point goal = embedding.position(goals_.front());
+    return isFree(*ground_.occupancy, start, start) && isFree(*ground_.occupancy, goal, goal);
 }
 
 /// States at these points, the first and last those of the start and the goal.

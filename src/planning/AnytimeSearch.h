@@ -57,8 +57,9 @@ public:
 
     PlanningOutcome outcome() const;
 
-    /// Was the best path found to be the shortest of the plane?
-    bool isProven() const { return isProven_; }
+    /// Was the best path found to be the shortest of the plane? Never where the space's bounds leave out cells: a valid
+    /// path may go through the part of such a cell that lies within them.
+    bool isProven() const { return isShortest_ && ground_.occupancy == ground_.chart; }
 
     /// nullptr if there is none.
     const std::shared_ptr<Path> &best() const { return best_; }
@@ -96,6 +97,7 @@ private:
     bool isPlainLength();
     std::pair<HexCoord, HexCoord> endCells() const;
     bool endCellsAreFree() const;
+    bool endsAreClear() const;
     void planSteps();
     void makeQuery();
     std::shared_ptr<Path> pathThrough(const std::vector<Point> &points) const;
@@ -113,7 +115,7 @@ private:
     std::vector<Step> steps_;
     std::size_t step_ = 0;  // the one that is next, or was interrupted
     bool isInStep_ = false;
-    bool isProven_ = false;
+    bool isShortest_ = false;  // of all through the cells searched
     bool areStepsBegun_ = false;
     std::size_t levelsLeft_ = 0;  // of large cells, the largest first
     std::unique_ptr<LatticeQuery> query_;

@@ -3,6 +3,7 @@
 #include <seahex/planning/HexAStar.h>
 #include <seahex/world/SegmentValidity.h>
 
+#include "support/AsciiWorld.h"
 #include "support/PlanningWorlds.h"
 #include "support/Random.h"
 #include "support/VisibilityGraph.h"
@@ -136,6 +137,69 @@ TEST(HexAStarExact, IsLeftOutWhereItIsNotAskedForOrDoesNotHold)
     EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setSmoothing(false); }));
     EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setDirect(false); }));
     EXPECT_FALSE(solve(SpaceKind::Plane, [](HexAStar &planner) { planner.setGuidance(Guidance::Distance); }));
+}
+
+TEST(HexAStarExact, ProvesNothingWhereBoundsLeaveOutWaterThatIsValid)
+{
+    // the tip of the blocked cell can be passed in the lower halves of the northern cells, whose centres are out
+    const AsciiWorld world(R"(
+         . . . . .
+        . A # B .
+         . . . . .
+    )");
+    const HexLattice &lattice = world.lattice();
+    Box bounds = lattice.bounds();
+    bounds.max.y() = lattice.centre(toCube(OffsetCoord{0, 0})).y() - 0.05;
+    const Point lift(0.0, 0.3);
+    const auto si = chartSpace(world.shared(), SpaceKind::Plane, bounds);
+    const auto problem = problemBetween(si, world.centre('A') + lift, world.centre('B') + lift);
+    HexAStar planner(si);
+    planner.setProblemDefinition(problem);
+    ASSERT_TRUE(planner.solve(20.0));
+    EXPECT_EQ(planner.outcome(), PlanningOutcome::Found);
+
+    const Point overTip = 0.5 * (world.centre('A') + world.centre('B')) + Point(0.0, lattice.side() + 0.01);
+    const ob::ScopedState<> passing = stateAt(si, overTip);
+    const auto found = pathOf(problem);
+    ASSERT_TRUE(si->checkMotion(found->getStates().front(), passing.get()));
+    ASSERT_TRUE(si->checkMotion(passing.get(), found->getStates().back()));
+    const double shorter = (overTip - world.centre('A') - lift).norm() + (world.centre('B') + lift - overTip).norm();
+    ASSERT_LT(shorter, found->length() - 0.1);
+    EXPECT_FALSE(planner.isProvenShortest());
+}
+
+TEST(HexAStarExact, BeginningAtWaterLeftOutIsAsGoodAsWithoutIt)
+{
+    int paths = 0;
+    forEachSeed(60,
+                [&](Random &random)
+                {
+                    const HexLattice lattice(Point(5.0, 7.0), 2.0, 25, 20);
+                    const auto world = randomOccupancy(random, lattice, 0.25);
+                    Box bounds = lattice.bounds();
+                    const HexCoord leftOut = toCube(OffsetCoord{random.integer(1, 23), 0});
+                    bounds.max.y() = lattice.centre(leftOut).y() - 0.1;
+                    // by a hair in the row beneath, and still touching the cell left out
+                    const Point start = lattice.centre(leftOut) - Point(0.0, lattice.side() + 1e-9);
+                    const Point goal = lattice.centre(toCube(OffsetCoord{random.integer(1, 23), 19}));
+                    const auto si = chartSpace(world, SpaceKind::Plane, bounds);
+                    if (!isFree(*world, start, start) || !isFree(*world, goal, goal))
+                        return;
+                    const auto solve = [&](bool exact)
+                    {
+                        const auto problem = problemBetween(si, start, goal);
+                        HexAStar planner(si);
+                        planner.setProblemDefinition(problem);
+                        planner.setExact(exact);
+                        const ob::PlannerStatus status = planner.solve(20.0);
+                        EXPECT_FALSE(planner.isProvenShortest());
+                        return status ? pathOf(problem)->length() : std::numeric_limits<double>::infinity();
+                    };
+                    const double length = solve(true);
+                    EXPECT_LE(length, solve(false));
+                    paths += length < std::numeric_limits<double>::infinity() ? 1 : 0;
+                });
+    EXPECT_GT(paths, 10);
 }
 
 TEST(HexAStarExact, GuidanceMayBeChangedAndChangedBack)

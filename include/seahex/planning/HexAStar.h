@@ -26,7 +26,8 @@ public:
 
     /// Where it can be done (LatticeAStar, Answers; smoothing must be on), go on to the shortest of all valid paths,
     /// not only those of the lattice, and prove it: no valid path is shorter than the one found by more than two
-    /// millionths of its length and of the pitch. On by default.
+    /// millionths of its length and of the pitch. Where the space's bounds leave out free cells, the path is the
+    /// shortest through the others, and nothing is proven. On by default.
     void setExact(bool exact);
     bool getExact() const { return exact_; }
 

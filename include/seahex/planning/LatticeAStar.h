@@ -126,7 +126,8 @@ public:
     void setSmoothing(bool smoothing);
     bool getSmoothing() const { return smoothing_; }
 
-    /// Has the path found been proven to be the shortest of the plane (HexAStar::setExact)?
+    /// Has the path found been proven to be the shortest of the plane (HexAStar::setExact)? Never where the space's
+    /// bounds leave out free cells: a shorter one may pass through what of these lies within the bounds.
     bool isProvenShortest() const;
 
     /// With no path to a goal, tell the one to the centre nearest to a goal as an approximate solution. Off by default.
