@@ -23,6 +23,9 @@ public:
         : occupancy_(std::move(occupancy)), coarse_(coarseOccupancies(*occupancy_)), cells_(*occupancy_, 3),
           steps_(*occupancy_), taut_(*occupancy_)
     {
+        constexpr std::size_t fewCells = std::size_t{1} << 23;  // 32 MB
+        if (occupancy_->layout().size() <= fewCells)
+            steps_.takeMemory();
         for (const auto &level : coarse_)
             largeCells_.push_back(std::make_unique<CoarseSearch>(*occupancy_, *level));
     }

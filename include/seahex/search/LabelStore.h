@@ -2,6 +2,7 @@
 
 #include <seahex/geometry/CellLayout.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -26,6 +27,9 @@ public:
     }
 
     std::size_t size() const { return cells_; }
+
+    /// Takes all memory from the system now, not page by page during the first search.
+    void takeMemory() { std::fill_n(labels_.get(), cells_, Label{}); }
 
     bool isReached(CellIndex cell) const { return (reached_[cell >> 6] >> (cell & 63)) & 1; }
     bool isExpanded(CellIndex cell) const { return (expanded_[cell >> 6] >> (cell & 63)) & 1; }
