@@ -59,6 +59,20 @@ std::vector<int> transform(OGRCoordinateTransformation &transformation, std::vec
     return succeeded;
 }
 
+/// A latitude or longitude with all its digits.
+std::string exactly(double degrees)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", degrees);
+    return text;
+}
+
+/// The parameters that say where a frame lies, as PROJ writes them.
+std::string originAt(const GeoPoint &position)
+{
+    return "+lat_0=" + exactly(position.latitudeDeg()) + " +lon_0=" + exactly(position.longitudeDeg());
+}
+
 std::string shown(const Point &point, const char *unit)
 {
     return "(" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ") " + unit;
@@ -78,6 +92,7 @@ public:
         transform->centre_ = Point(middle.longitudeDeg(), middle.latitudeDeg());
         transform->metresPerDegree_ = seahex::metresPerDegree(middle.latitudeDeg());
         transform->name_ = "local equirectangular frame at " + toString(middle);
+        transform->definition_ = "local equirectangular " + originAt(middle);
         return transform;
     }
 
@@ -93,6 +108,7 @@ public:
     bool isBent() const { return toMetres_ != nullptr; }
     const std::optional<Point> &metresPerDegree() const { return metresPerDegree_; }
     const std::string &name() const { return name_; }
+    const std::string &definition() const { return definition_; }
     const Point &centre() const { return centre_; }
 
     void forward(std::vector<Point> &points) const
@@ -146,12 +162,9 @@ private:
     {
         centre_ = Point(centre.longitudeDeg(), centre.latitudeDeg());
         name_ = "transverse Mercator at " + toString(centre);
-        char definition[160];
-        std::snprintf(definition, sizeof definition,
-                      "+proj=tmerc +lat_0=%.17g +lon_0=%.17g +k=1 +x_0=0 +y_0=0 +ellps=WGS84 +units=m +no_defs",
-                      centre.latitudeDeg(), centre.longitudeDeg());
+        definition_ = "+proj=tmerc " + originAt(centre) + " +k=1 +x_0=0 +y_0=0 +ellps=WGS84 +units=m +no_defs";
         const OGRSpatialReference degrees = frameFrom("+proj=longlat +ellps=WGS84 +no_defs");
-        const OGRSpatialReference metres = frameFrom(definition);
+        const OGRSpatialReference metres = frameFrom(definition_);
         toMetres_.reset(OGRCreateCoordinateTransformation(&degrees, &metres));
         toDegrees_.reset(OGRCreateCoordinateTransformation(&metres, &degrees));
         if (!toMetres_ || !toDegrees_)
@@ -164,6 +177,7 @@ private:
     std::optional<Point> metresPerDegree_;
     Point centre_ = Point::Zero();  // longitude, latitude
     std::string name_ = "plate carree (degrees)";
+    std::string definition_ = name_;
 };
 
 Projection::Projection(std::shared_ptr<const Transform> transform) : transform_(std::move(transform)) {}
@@ -218,6 +232,11 @@ double Projection::edgeToleranceM() const
 const std::string &Projection::name() const
 {
     return transform_->name();
+}
+
+const std::string &Projection::definition() const
+{
+    return transform_->definition();
 }
 
 Point Projection::forward(const GeoPoint &position) const

@@ -69,6 +69,9 @@ public:
     /// For people: "transverse Mercator at 42.270000 N 70.905000 W".
     const std::string &name() const;
 
+    /// All parameters to the last digit: projections of the same definition give the same images.
+    const std::string &definition() const;
+
 private:
     class Transform;
     explicit Projection(std::shared_ptr<const Transform> transform);
