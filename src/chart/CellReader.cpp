@@ -5,12 +5,16 @@
 #include "Overlay.h"
 #include "S57Cell.h"
 #include "S57Classes.h"
+#include "S57Updates.h"
 #include "Surroundings.h"
 
 #include "seahex/chart/ChartError.h"
 
+#include <cpl_string.h>
+
 #include <cstdlib>
 #include <iterator>
+#include <system_error>
 
 namespace seahex
 {
@@ -20,6 +24,27 @@ namespace
 /// The layer in which the S-57 driver puts objects of classes that it does not know.
 constexpr const char *UNKNOWN_CLASSES = "Generic";
 
+/// The base file and every update found with it, whether it is applied or not.
+std::vector<std::filesystem::path> filesOfCell(const std::filesystem::path &base)
+{
+    std::vector<std::filesystem::path> files{base};
+    for (const auto &[number, update] : findS57Updates(base))
+        files.push_back(update);
+    return files;
+}
+
+/// All files that a source consists of: those of a shapefile are four or more.
+std::vector<std::filesystem::path> filesOfDataset(GDALDataset &dataset)
+{
+    const CPLStringList names(dataset.GetFileList());
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (int i = 0; i < names.size(); ++i)
+        if (std::filesystem::is_regular_file(names[i], ignored))
+            files.emplace_back(names[i]);
+    return files;
+}
+
 void fillReport(const S57Cell &source, const std::filesystem::path &path, CellReport &report)
 {
     const S57Header &header = source.header;
@@ -27,6 +52,7 @@ void fillReport(const S57Cell &source, const std::filesystem::path &path, CellRe
     if (report.name.empty())
         report.name = path.stem().string();
     report.source = path.string();
+    report.files = filesOfCell(path);
     if (!header.edition.empty())
         report.edition = std::atoi(header.edition.c_str());
     report.update = header.updateNumber;
@@ -82,6 +108,8 @@ bool readLayerFile(const std::string &file, CellContents &cell)
         throw ChartUnreadable("'" + file + "' can't be read as a chart: " + messages.last());
     if (std::string(dataset->GetDriver()->GetDescription()) == "S57")
         throw ChartUnreadable("'" + file + "' is S-57, but is not named like a cell (NAME.000)");
+    const std::vector<std::filesystem::path> files = filesOfDataset(*dataset);
+    cell.report.files.insert(cell.report.files.end(), files.begin(), files.end());
     const bool any = readNamedLayers(*dataset, file, messages, cell);
     addMessages(messages, cell);
     return any;

@@ -3,6 +3,7 @@
 #include <seahex/geometry/GeoPoint.h>
 #include <seahex/world/Hazard.h>
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ struct CellReport
 {
     std::string name;    ///< DSNM without its extension, or the file's stem
     std::string source;  ///< path as given
+    /// What was read: the base cell and every update found with it, or the files that OGR's drivers name.
+    std::vector<std::filesystem::path> files;
     std::optional<int> edition;
     std::optional<int> update;         ///< last update applied
     std::string issueDate;             ///< DSID_ISDT, may be empty
