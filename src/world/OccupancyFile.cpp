@@ -232,6 +232,13 @@ void saveOccupancy(const fs::path &file, const Occupancy &occupancy, const std::
     }
 }
 
+bool isOccupancyFile(const fs::path &file)
+{
+    char begin[sizeof MAGIC] = {};
+    std::ifstream in(file, std::ios::binary);
+    return in.read(begin, sizeof begin) && std::memcmp(begin, MAGIC, sizeof MAGIC) == 0;
+}
+
 std::string readProvenance(const fs::path &file)
 {
     return MappedOccupancy(file).provenance();

@@ -44,6 +44,9 @@ enum class FileTrust
 /// @throws OccupancyFileError if it can't be written
 void saveOccupancy(const std::filesystem::path &file, const Occupancy &occupancy, const std::string &provenance);
 
+/// Does a file begin like one that saveOccupancy() writes? Tells a damaged or outdated one from somebody else's file.
+bool isOccupancyFile(const std::filesystem::path &file);
+
 /// What a file says that it was made of.
 /// @throws OccupancyFileError as loadOccupancy()
 std::string readProvenance(const std::filesystem::path &file);
