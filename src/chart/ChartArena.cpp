@@ -1,7 +1,9 @@
 #include "seahex/chart/ChartArena.h"
 
+#include "seahex/chart/CellsProvenance.h"
 #include "seahex/geometry/SegmentDistance.h"
 #include "seahex/geometry/SegmentSpans.h"
+#include "seahex/world/KeptOccupancy.h"
 #include "seahex/world/OccupancyBuilder.h"
 
 #include <boost/geometry/algorithms/covered_by.hpp>
@@ -101,10 +103,23 @@ ChartArena::ChartArena(const Chart &chart, const ArenaOptions &options)
 
     const Box box = boxOf(coverage_);
     scale_ = projection_.largestScale(box);
-    occupancy_ =
-        fill(options.lattice ? *options.lattice
-                             : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box)));
+    const HexLattice lattice =
+        options.lattice ? *options.lattice
+                        : HexLattice::covering(box, options.pitch != 0.0 ? options.pitch : automaticPitchM(box));
+    if (options.cells.empty())
+        occupancy_ = fill(lattice);
+    else
+        keepCells(chart, lattice, options.cells);
     buildMs_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void ChartArena::keepCells(const Chart &chart, const HexLattice &lattice, const std::filesystem::path &file)
+{
+    KeptOccupancy kept =
+        loadOrMake(file, cellsProvenance(chart, vessel_, scope_, projection_, lattice), [&] { return fill(lattice); });
+    occupancy_ = std::move(kept.occupancy);
+    isFromFile_ = kept.isFromFile;
+    warnings_ = std::move(kept.warnings);
 }
 
 /// A distance on the ground as it must be kept in the plane; none in degrees.

@@ -8,6 +8,7 @@
 #include <seahex/world/Occupancy.h>
 #include <seahex/world/Vessel.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct ArenaOptions
     std::optional<HexLattice> lattice;
     /// Pitch of that lattice in the frame's unit; 0: automaticPitch().
     double pitch = 0.0;
+    /// A file to keep the cells in (loadOrMake): one that was made of exactly this (cellsProvenance) spares filling
+    /// them. Empty: none.
+    std::filesystem::path cells = {};
 };
 
 /// A chart as one vessel sees it in one frame: the occupancy that planners use, and the hazards behind it that explain
@@ -46,12 +50,17 @@ public:
     static constexpr double growthM = 1.0;
 
     /// @throws std::domain_error for a pitch that is not positive; in a frame without metres also for a margin, and for
-    ///         any other scope than land only
+    ///         any other scope than land only; ChartUnreadable if cells are to be kept and a file of the chart can't be
+    ///         read again; none for a file of cells, see warnings()
     ChartArena(const Chart &chart, const ArenaOptions &options);
 
     const Vessel &vessel() const { return vessel_; }
     const Projection &projection() const { return projection_; }
     const std::shared_ptr<const HexOccupancy> &occupancy() const { return occupancy_; }
+    /// Was the occupancy in ArenaOptions::cells?
+    bool isFromFile() const { return isFromFile_; }
+    /// What is wrong with that file, each one sentence; the occupancy is right nevertheless.
+    const std::vector<std::string> &warnings() const { return warnings_; }
     /// The same water on another lattice: hazards, verdicts and radii are those of this arena.
     std::shared_ptr<const HexOccupancy> fill(const HexLattice &lattice) const;
     std::shared_ptr<const SquareOccupancy> fill(const SquareLattice &lattice) const;
@@ -62,7 +71,7 @@ public:
     const Shape &coverage() const { return coverage_; }
     /// Most metres of the plane to a metre on the ground anywhere on the chart (Projection::largestScale).
     double scale() const { return scale_; }
-    /// Wall time of projecting, judging and filling, milliseconds.
+    /// Wall time of projecting, judging and filling (or taking from the file), milliseconds.
     double buildMs() const { return buildMs_; }
 
     /// Why a cell is blocked: one sentence for each hazard within its radius of the cell, and for the coverage's edge.
@@ -75,6 +84,7 @@ public:
 private:
     template <class KnownLattice>
     std::shared_ptr<const LatticeOccupancy<KnownLattice>> fillCells(const KnownLattice &lattice) const;
+    void keepCells(const Chart &chart, const HexLattice &lattice, const std::filesystem::path &file);
     double inPlane(double distanceM) const;
     double radius(std::size_t hazard) const;
     std::vector<std::string> explain(const Point &p, std::optional<HexCoord> cell) const;
@@ -86,6 +96,8 @@ private:
     std::vector<Verdict> verdicts_;
     Shape coverage_;
     std::shared_ptr<const HexOccupancy> occupancy_;
+    bool isFromFile_ = false;
+    std::vector<std::string> warnings_;
     double scale_ = 1.0;
     double buildMs_ = 0.0;
 };
