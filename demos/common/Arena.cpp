@@ -72,6 +72,10 @@ std::shared_ptr<const seahex::ChartArena> makeArena(const seahex::Chart &chart, 
         requireWater(*arena);
         return arena;
     }
+    catch (const seahex::ChartError &error)
+    {
+        throw Failure(Exit::Chart, error.what());
+    }
     catch (const std::domain_error &error)
     {
         throw Failure(Exit::Usage, error.what());

@@ -20,7 +20,8 @@ std::shared_ptr<const seahex::Chart> readChart(const std::vector<std::string> &s
 std::vector<std::string> warningsOf(const seahex::Chart &chart);
 
 /// A chart's arena that has water.
-/// @throws Failure (Exit::Usage) if the pitch is too small or not possible, (Exit::Chart) if no cell is navigable
+/// @throws Failure (Exit::Usage) if the pitch is too small or not possible, (Exit::Chart) if no cell is navigable or
+///         its files can't be read again
 std::shared_ptr<const seahex::ChartArena> makeArena(const seahex::Chart &chart, const seahex::ArenaOptions &options);
 
 /// Refuses a pitch that would fill the memory: a search takes up to 10 bytes a cell.

@@ -50,6 +50,7 @@ std::shared_ptr<const seahex::ChartArena> makeArena(const Options &options, cons
     seahex::ArenaOptions arena;
     arena.vessel = options.vessel;
     arena.pitch = options.pitch;
+    arena.cells = options.cells;
     if (options.chengScenario)
     {
         if (options.pitch != 0.0)
@@ -207,7 +208,10 @@ Result planRoute(const Options &options, demos::Progress &progress)
     }
     catch (Failure &failure)
     {
-        failure.setWarnings(demos::warningsOf(*result.chart));
+        std::vector<std::string> warnings = demos::warningsOf(*result.chart);
+        if (result.arena)
+            warnings.insert(warnings.end(), result.arena->warnings().begin(), result.arena->warnings().end());
+        failure.setWarnings(warnings);
         throw;
     }
     catch (const seahex::PositionError &error)

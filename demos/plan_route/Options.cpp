@@ -50,6 +50,10 @@ void declare(CLI::App &app, Options &o, Texts &t)
         ->type_name("LAT,LON");
     app.add_option("--to", t.to, "goal")->type_name("LAT,LON");
     demos::declareVesselAndPitch(app, o, "metres (degrees with --scenario)");
+    app.add_option("--cells", o.cells,
+                   "keep the cells in this file: a later run with the same chart, vessel and cells takes them from "
+                   "it, any other fills and replaces it")
+        ->type_name("FILE");
     app.add_option("--rings", o.rings, "rings of successors, 1, 2 or 3: 6, 18 or 36 of them")
         ->capture_default_str()
         ->type_name("N");
@@ -108,6 +112,16 @@ void checkNumbers(const Options &o)
         usage("--planner: there is no planner '" + o.planner + "'; known are HexAStar, " + demos::plannerNames());
 }
 
+void requireDifferent(const char *option, const std::string &file, const char *other, const std::string &otherFile)
+{
+    if (file.empty() || otherFile.empty())
+        return;
+    std::error_code ignored;
+    if (std::filesystem::absolute(file).lexically_normal() == std::filesystem::absolute(otherFile).lexically_normal() ||
+        std::filesystem::equivalent(file, otherFile, ignored))
+        usage(std::string(option) + " and " + other + " name the same file");
+}
+
 void checkFiles(const Options &o)
 {
     const auto checkFolder = [&o](const char *option, const std::string &file)
@@ -126,13 +140,14 @@ void checkFiles(const Options &o)
     };
     checkFolder("--out", o.out);
     checkFolder("--picture", o.picture);
+    checkFolder("--cells", o.cells);
     if (o.blockedCells && o.out.empty())
         usage("--blocked-cells needs --out");
+    requireDifferent("--out", o.out, "--picture", o.picture);
+    requireDifferent("--out", o.out, "--cells", o.cells);
+    requireDifferent("--picture", o.picture, "--cells", o.cells);
     if (o.picture.empty())
         return;
-    if (std::filesystem::absolute(o.picture).lexically_normal() ==
-        std::filesystem::absolute(o.out.empty() ? "." : o.out).lexically_normal())
-        usage("--out and --picture name the same file");
     const std::string extension = std::filesystem::path(o.picture).extension().string();
     if (extension != ".svg" && extension != ".png" && extension != ".SVG" && extension != ".PNG")
         usage("--picture must end in .svg or .png, not '" + o.picture + "'");

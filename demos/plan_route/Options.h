@@ -26,6 +26,7 @@ struct Options : demos::ChartOptions
     std::uint32_t seed = 1;
     bool smoothing = true;
     bool exact = true;  ///< smoothed to the shortest route of all, not only pulled taut
+    std::string cells;  ///< the file to keep them in; empty: none
     std::string out;
     bool blockedCells = false;
     std::string picture;

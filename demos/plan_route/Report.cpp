@@ -154,6 +154,8 @@ std::string jsonReport(const Options &options, const Result &result)
                          {"proven_shortest", result.isProvenShortest},
                          {"improvable", result.isImprovable},
                          {"chart", chartJson(*result.chart)},
+                         {"cells_from", result.arena->isFromFile() ? "file" : "chart"},
+                         {"cells_warnings", result.arena->warnings()},
                          {"lattice",
                           {{"pitch", number(occupancy.lattice().pitch())},
                            {"unit", result.arena->projection().isMetric() ? "m" : "degree"},
@@ -181,10 +183,13 @@ std::string textReport(const Options &options, const Result &result)
     const seahex::HexLattice &lattice = occupancy.lattice();
     std::ostringstream out;
     describeChart(out, *result.chart);
-    out << format("cells     %lld x %lld, pitch %.4g %s, %lld blocked, filled in %.0f ms\n",
+    out << format("cells     %lld x %lld, pitch %.4g %s, %lld blocked, %s in %.0f ms\n",
                   static_cast<long long>(lattice.columns()), static_cast<long long>(lattice.rows()), lattice.pitch(),
                   result.arena->projection().isMetric() ? "m" : "degrees",
-                  static_cast<long long>(occupancy.blockedCount()), result.arena->buildMs());
+                  static_cast<long long>(occupancy.blockedCount()),
+                  result.arena->isFromFile() ? "taken from the file" : "filled", result.arena->buildMs());
+    for (const std::string &warning : result.arena->warnings())
+        out << "  warning: " << warning << "\n";
     out << format("search    %s, %llu cells expanded, %.1f ms\n", options.planner.c_str(),
                   static_cast<unsigned long long>(result.expanded), result.searchMs);
     if (result.isImprovable)

@@ -100,10 +100,10 @@ TEST(PlanRoute, helpNamesEveryOption)
     const ProgramResult result = planRoute({"--help"});
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.err, "");
-    for (const char *option :
-         {"--help",         "--chart", "--from",          "--to",      "--draught", "--ukc",      "--margin",
-          "--pitch",        "--rings", "--guidance",      "--metric",  "--planner", "--time",     "--seed",
-          "--no-smoothing", "--out",   "--blocked-cells", "--picture", "--json",    "--scenario", "Exit codes"})
+    for (const char *option : {"--help",    "--chart", "--from",     "--to",           "--draught",  "--ukc",
+                               "--margin",  "--pitch", "--cells",    "--rings",        "--guidance", "--metric",
+                               "--planner", "--time",  "--seed",     "--no-smoothing", "--out",      "--blocked-cells",
+                               "--picture", "--json",  "--scenario", "Exit codes"})
         EXPECT_NE(result.out.find(option), std::string::npos) << option;
     EXPECT_NE(result.out.find("NOT FOR NAVIGATION"), std::string::npos);
 }
