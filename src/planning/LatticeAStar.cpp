@@ -141,8 +141,12 @@ void LatticeAStar::setup()
     ob::Planner::setup();
     setup_ = false;  // unless all of the following goes well
     const PlanarEmbedding embedding(si_->getStateSpace().get());
-    chart_ = ownChart();
-    occupancy_ = chart_ ? withinBounds(chart_, embedding.bounds()) : nullptr;
+    const Box bounds = embedding.bounds();
+    const auto chart = ownChart();
+    if (chart != chart_ || bounds.min != bounds_.min || bounds.max != bounds_.max)
+        occupancy_ = chart ? withinBounds(chart, bounds) : nullptr;
+    chart_ = chart;
+    bounds_ = bounds;
     const auto hexagons = std::dynamic_pointer_cast<const HexOccupancy>(occupancy_);
     if (!hexagons || !direct_ || guidance_ != Guidance::Automatic)
         searches_.reset();

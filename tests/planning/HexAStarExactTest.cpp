@@ -9,6 +9,7 @@
 #include "support/VisibilityGraph.h"
 
 #include <gtest/gtest.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
 
 #include <limits>
 
@@ -166,6 +167,42 @@ TEST(HexAStarExact, ProvesNothingWhereBoundsLeaveOutWaterThatIsValid)
     const double shorter = (overTip - world.centre('A') - lift).norm() + (world.centre('B') + lift - overTip).norm();
     ASSERT_LT(shorter, found->length() - 0.1);
     EXPECT_FALSE(planner.isProvenShortest());
+}
+
+TEST(HexAStarExact, BoundsThatChangedAreHeededAfterClear)
+{
+    const AsciiWorld world(R"(
+         . . . . .
+        . A # B .
+         . . . . .
+    )");
+    const Box whole = world.lattice().bounds();
+    Box southern = whole;
+    southern.max.y() = world.centre('A').y() + 0.5;
+    const auto si = chartSpace(world.shared());
+    const Point lift(0.0, 0.1);
+    const auto problem = problemBetween(si, world.centre('A') + lift, world.centre('B') + lift);
+    HexAStar planner(si);
+    planner.setProblemDefinition(problem);
+    const auto lengthWithin = [&](const Box &box)
+    {
+        ob::RealVectorBounds bounds(2);
+        for (unsigned int axis = 0; axis < 2; ++axis)
+        {
+            bounds.setLow(axis, box.min[axis]);
+            bounds.setHigh(axis, box.max[axis]);
+        }
+        si->getStateSpace()->as<ob::RealVectorStateSpace>()->setBounds(bounds);
+        problem->clearSolutionPaths();
+        planner.clear();
+        EXPECT_TRUE(planner.solve(20.0));
+        return pathOf(problem)->length();
+    };
+    const double northAbout = lengthWithin(whole);
+    EXPECT_GT(lengthWithin(southern), northAbout + 0.05);
+    EXPECT_FALSE(planner.isProvenShortest());
+    EXPECT_EQ(lengthWithin(whole), northAbout);
+    EXPECT_TRUE(planner.isProvenShortest());
 }
 
 TEST(HexAStarExact, BeginningAtWaterLeftOutIsAsGoodAsWithoutIt)

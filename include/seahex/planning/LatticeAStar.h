@@ -1,5 +1,6 @@
 #pragma once
 
+#include <seahex/geometry/Box.h>
 #include <seahex/geometry/Lattice.h>
 #include <seahex/planning/PlanningOutcome.h>
 #include <seahex/search/Guidance.h>
@@ -98,7 +99,8 @@ struct Improvement
 /// **Progress properties**, safe to read from any thread at any time: "best cost REAL", "lower bound REAL" (no path
 /// that this planner may yet return is cheaper: the search's own bound where smoothing is off; that of the search for
 /// the shortest path, once that has begun; the objective's heuristic otherwise), "expanded INTEGER" (cells, or cells
-/// with headings, by all searches since clear()), "open INTEGER".
+/// with headings, by all searches of the lattice since clear(); large cells, JumpPointSearch and TautSearch are not
+/// counted), "open INTEGER".
 class LatticeAStar : public ompl::base::Planner
 {
 public:
@@ -210,7 +212,8 @@ private:
 
     std::optional<Lattice> lattice_;
     std::shared_ptr<const Occupancy> chart_;      // where the problem is one of the planner's kind
-    std::shared_ptr<const Occupancy> occupancy_;  // the same within the space's bounds
+    Box bounds_;                                  // of the space
+    std::shared_ptr<const Occupancy> occupancy_;  // the chart within these bounds
     std::shared_ptr<ChartSearches> searches_;     // on that occupancy, kept for the next problem
     ompl::base::OptimizationObjectivePtr problemObjective_;
     ompl::base::OptimizationObjectivePtr objective_;  // the problem's or, if it has none, path length

@@ -56,8 +56,8 @@ public:
     /// stop() is asked before the first expansion and after every `pollInterval` of them.
     SearchStatus run(const std::function<bool()> &stop, std::uint64_t pollInterval);
 
-    /// No path is shorter, whatever happened so far. Never falls; the path's length once it is found; the bound, once
-    /// all shorter paths are excluded (infinity: there is none at all).
+    /// No path is shorter, whatever happened so far. Never falls but by rounding; the path's length once it is found;
+    /// the bound, once all shorter paths are excluded (infinity: there is none at all).
     double lowerBound() const;
 
     bool hasPath() const;
