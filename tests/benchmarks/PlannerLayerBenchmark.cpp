@@ -5,9 +5,7 @@
 #include <seahex/chart/ChartReader.h>
 #include <seahex/planning/HexAStar.h>
 #include <seahex/planning/Setup.h>
-#include <seahex/search/AStar.h>
-#include <seahex/search/JumpGraph.h>
-#include <seahex/search/LengthWeight.h>
+#include <seahex/search/LengthSearch.h>
 
 #include <ompl/util/Console.h>
 
@@ -37,31 +35,22 @@ const std::shared_ptr<const HexOccupancy> &shangchuan()
     return occupancy;
 }
 
-double bareSearch(const HexOccupancy &occupancy, const Query &query, int rings)
+double bareSearch(LengthSearch &search, const HexOccupancy &occupancy, const Query &query)
 {
-    const HexLattice &lattice = occupancy.lattice();
-    const HexJumps jumps(occupancy.layout(), rings, JumpSet::Primitive);
-    JumpGraph<LengthWeight> graph(occupancy, jumps, {{query.goal, 0.0}},
-                                  LengthWeight(lattice, jumps, LengthMetric::Euclidean, Guidance::Distance,
-                                               lattice.centre(query.start), lattice.centre(query.goal)));
-    AStar<JumpGraph<LengthWeight>> search(graph);
-    search.addStart(occupancy.layout().index(query.start), 0.0);
+    search.begin(query.start, query.goal);
     search.run([] { return false; }, 500);
     benchmark::DoNotOptimize(search.path());
-    return search.hasPath() ? search.cost() * lattice.pitch() : -1.0;
+    return search.hasPath() ? search.cost() * occupancy.lattice().pitch() : -1.0;
 }
 
-double throughPlanner(og::SimpleSetup &setup, const Query &query, int rings)
+/// With a planner that is kept, as a user with many problems keeps it.
+double throughPlanner(og::SimpleSetup &setup, HexAStar &planner, const Query &query)
 {
     const HexLattice &lattice = shangchuan()->lattice();
     setup.clear();
     setStartAndGoal(setup, lattice.centre(query.start), lattice.centre(query.goal));
-    HexAStar planner(setup.getSpaceInformation());
-    planner.setRings(rings);
-    planner.setAnytime(false);
-    planner.setSmoothing(false);
+    planner.clear();
     planner.setProblemDefinition(setup.getProblemDefinition());
-    planner.setup();
     return planner.solve(ob::timedPlannerTerminationCondition(100.0)) == ob::PlannerStatus::EXACT_SOLUTION
                ? setup.getProblemDefinition()->getSolutionPath()->length()
                : -1.0;
@@ -82,10 +71,11 @@ std::vector<Query> queriesOn(const HexOccupancy &occupancy)
         return cell;
     };
     std::vector<Query> queries;
+    LengthSearch search(occupancy, 1);
     while (queries.size() < 10)
     {
         const Query query{freeCell(), freeCell()};
-        if (hexDistance(query.start, query.goal) > lattice.columns() / 3 && bareSearch(occupancy, query, 1) > 0.0)
+        if (hexDistance(query.start, query.goal) > lattice.columns() / 3 && bareSearch(search, occupancy, query) > 0.0)
             queries.push_back(query);
     }
     return queries;
@@ -100,6 +90,11 @@ void plannerLayer(benchmark::State &state)
     og::SimpleSetup setup(planarSpace(*occupancy));
     useOccupancy(setup, occupancy);
     setup.getSpaceInformation()->setup();
+    LengthSearch search(*occupancy, rings);
+    HexAStar kept(setup.getSpaceInformation());
+    kept.setRings(rings);
+    kept.setAnytime(false);
+    kept.setSmoothing(false);
 
     const auto secondsOf = [](const auto &action)
     {
@@ -114,8 +109,8 @@ void plannerLayer(benchmark::State &state)
         {
             double length = 0.0;
             double expected = 0.0;
-            const double bare = secondsOf([&] { expected = bareSearch(*occupancy, query, rings); });
-            const double planner = secondsOf([&] { length = throughPlanner(setup, query, rings); });
+            const double bare = secondsOf([&] { expected = bareSearch(search, *occupancy, query); });
+            const double planner = secondsOf([&] { length = throughPlanner(setup, kept, query); });
             if (std::abs(length - expected) > 1e-6 * expected)
                 state.SkipWithError("the two disagree");
             ratios.push_back(planner / bare);
