@@ -191,7 +191,7 @@ bool AnytimeSearch::searchLarge(const ob::PlannerTerminationCondition &stop)
 }
 
 /// By steps between neighbours.
-/// @param mostExpansions  give up for now after about so many
+/// @param mostExpansions  pause after about so many
 bool AnytimeSearch::searchSteps(const ob::PlannerTerminationCondition &stop, std::uint64_t mostExpansions)
 {
     constexpr std::uint64_t pollInterval = 64;  // an expansion may look at thousands of cells

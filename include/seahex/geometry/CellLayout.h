@@ -13,8 +13,8 @@ using CellIndex = std::uint32_t;
 
 /// The order in which the cells of a rectangle are stored, decided here and nowhere else.
 ///
-/// Row by row, each row padded to whole 64-bit words by `spare` cells or more; around the rectangle runs a frame of `frame` cells, so that every
-/// cell a ring jump can reach or touch from inside has an index.
+/// Row by row, each row padded to whole 64-bit words by `spare` cells or more; around the rectangle runs a frame of
+/// `frame` cells, so that every cell a ring jump can reach or touch from inside has an index.
 class CellLayout
 {
 public:

@@ -81,9 +81,8 @@ public:
     std::size_t openSize() const { return open_.size(); }
     SearchMemory memory() const
     {
-        return {2 * store_.size() / 8,
-                static_cast<std::size_t>(counters_.generated) * sizeof(std::uint32_t) +
-                    store_.touchedWords().capacity() * sizeof(std::uint32_t) + open_.bytes()};
+        return {2 * store_.size() / 8, static_cast<std::size_t>(counters_.generated) * sizeof(std::uint32_t) +
+                                           store_.touchedWords().capacity() * sizeof(std::uint32_t) + open_.bytes()};
     }
 
     bool isReached(CellIndex cell) const { return store_.isReached(cell); }
